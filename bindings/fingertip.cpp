@@ -369,7 +369,7 @@ FingerState from_numbers(const FingerNumbers& numbers) {
 std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
   const auto N = static_cast<py::ssize_t>(segment.rows.size());
   const auto n = N == 0 ? 0 : static_cast<py::ssize_t>(segment.rows[0].fingers.size());
-  Array margins({N, py::ssize_t{4}}), fingers({N, n, py::ssize_t{12}});
+  Array margins({N, py::ssize_t{5}}), fingers({N, n, py::ssize_t{12}});
   double* margin = margins.mutable_data();
   double* number = fingers.mutable_data();
   Poses poses;
@@ -379,8 +379,8 @@ std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
                                   "' must have the same number of fingers");
     }
     poses.push_back(row.X_WO);
-    for (const double z :
-         {row.stability, row.compliant_stability, row.nominal_margin, row.withstands}) {
+    for (const double z : {row.stability, row.compliant_stability, row.nominal_margin,
+                           row.withstands, row.place_tolerance}) {
       *margin++ = z;
     }
     for (const FingerState& finger : row.fingers) {
@@ -395,8 +395,8 @@ std::vector<Row> from_arrays(const Array& object_poses, const Array& margins,
                              const Array& fingers) {
   const Poses poses = to_poses(object_poses, "object_poses");
   const auto N = static_cast<py::ssize_t>(poses.size());
-  if (margins.ndim() != 2 || margins.shape(0) != N || margins.shape(1) != 4) {
-    throw std::invalid_argument("margins must have shape (N, 4)");
+  if (margins.ndim() != 2 || margins.shape(0) != N || margins.shape(1) != 5) {
+    throw std::invalid_argument("margins must have shape (N, 5)");
   }
   if (fingers.ndim() != 3 || fingers.shape(0) != N || fingers.shape(2) != 12) {
     throw std::invalid_argument("fingers must have shape (N, n, 12)");
@@ -408,7 +408,8 @@ std::vector<Row> from_arrays(const Array& object_poses, const Array& margins,
             margins.at(i, 0),
             margins.at(i, 1),
             margins.at(i, 2),
-            margins.at(i, 3)};
+            margins.at(i, 3),
+            margins.at(i, 4)};
     for (py::ssize_t k = 0; k < fingers.shape(1); ++k) {
       row.fingers.push_back(from_numbers(Eigen::Map<const FingerNumbers>(fingers.data(i, k, 0))));
     }
@@ -430,23 +431,27 @@ void bind_rows(py::module_& m) {
                     "(3,) nominal force on the object, in O, for feed-forward [N]."});
 
   py::class_<Row> row(m, "Row", "One instant of a plan: a sample of an arc, or a regrasp.");
-  bind_fields(row, "Any field by keyword; the others keep their defaults.",
-              Field{"X_WO", &Row::X_WO, "(4, 4) pose of O in the world."},
-              Field{"fingers", &Row::fingers, "One FingerState for each finger."},
-              Field{"stability", &Row::stability,
-                    "Stability z [N]. If friction is an interval, it is the least over the "
-                    "evaluated coefficients; for\n"
-                    "the whole interval, only min_stability is proven."},
-              Field{"compliant_stability", &Row::compliant_stability,
-                    "Margin by mechanics.compliant_stability [N]."},
-              Field{"nominal_margin", &Row::nominal_margin,
-                    "Margin of the nominal forces, as in mechanics.Equilibrium [N]."},
-              Field{"withstands", &Row::withstands,
-                    "Largest disturbance that the row surely withstands, by mechanics.withstands "
-                    "[N]."});
+  bind_fields(
+      row, "Any field by keyword; the others keep their defaults.",
+      Field{"X_WO", &Row::X_WO, "(4, 4) pose of O in the world."},
+      Field{"fingers", &Row::fingers, "One FingerState for each finger."},
+      Field{"stability", &Row::stability,
+            "Stability z [N]. If friction is an interval, it is the least over the "
+            "evaluated coefficients; for\n"
+            "the whole interval, only min_stability is proven."},
+      Field{"compliant_stability", &Row::compliant_stability,
+            "Margin by mechanics.compliant_stability [N]."},
+      Field{"nominal_margin", &Row::nominal_margin,
+            "Margin of the nominal forces, as in mechanics.Equilibrium [N]."},
+      Field{"withstands", &Row::withstands,
+            "Largest disturbance that the row withstands while fingers are in their places, "
+            "by\nmechanics.withstands [N]."},
+      Field{"place_tolerance", &Row::place_tolerance,
+            "Largest error of the fingers' places that the row tolerates, by\n"
+            "mechanics.place_tolerance [m]."});
 
   m.def("_rows", &from_arrays, py::arg("object_poses"), py::arg("margins"), py::arg("fingers"),
-        "Returns rows: poses (N, 4, 4), margins (N, 4), and 12 numbers per finger (N, n, 12).");
+        "Returns rows: poses (N, 4, 4), margins (N, 5), and 12 numbers per finger (N, n, 12).");
   py::class_<Segment>(m, "Segment",
                       "Part of the plan during which no finger changes its place, or one regrasp.")
       .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
@@ -506,8 +511,10 @@ void bind_plan(py::module_& m) {
               "Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the "
               "plan is optimal."});
   field(Field{"regrasps", &Plan::regrasps, "Number of regrasps."});
-  field(Field{"withstands", &Plan::withstands,
-              "Largest disturbance that every row surely withstands [N]."});
+  field(
+      Field{"withstands", &Plan::withstands, "Largest disturbance that every row withstands [N]."});
+  field(Field{"place_tolerance", &Plan::place_tolerance,
+              "Largest error of the fingers' places that every row tolerates [m]."});
   field(Field{"segments", &Plan::segments, "Motions and regrasps, in order."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"weakest_segment", &Plan::weakest_segment,

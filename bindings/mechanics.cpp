@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <string>
 
 #include <pybind11/native_enum.h>
 
@@ -582,11 +583,83 @@ void bind_stability(py::module_& m) {
       "Finds the best control modes of many contact sets, each on its own.");
 }
 
+/// Binds a number that fingers as springs promise.
+template <double Promise::*kNumber>
+void bind_promise(py::module_& m, const char* name, const std::string& what,
+                  const std::string& returns) {
+  const std::string doc =
+      what +
+      "Parameters\n"
+      "----------\n"
+      "set : ContactSet\n"
+      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
+      "    normalised with a UserWarning.\n"
+      "modes : sequence of FingerMode\n"
+      "    One control mode for each finger.\n"
+      "nominal : Equilibrium\n"
+      "    Nominal forces, for instance from `compliant_equilibrium`.\n"
+      "compliance : Compliance\n"
+      "    Stiffness of the contacts.\n"
+      "points_O : array (N, 3), optional\n"
+      "    Points of the object in O that must not yield by more than `max_yield` [m]. By default\n"
+      "    there are none.\n"
+      "max_yield : float\n"
+      "    Distance by which the springs may let these points move [m].\n"
+      "directions : array (N, 6), optional\n"
+      "    Directions of disturbances in scaled wrench space. By default "
+      "`disturbance_directions`.\n\n"
+      "Returns\n"
+      "-------\n"
+      "float\n" +
+      returns +
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The contact set, the modes, the nominal forces, the stiffness, the points or the "
+      "directions are\n"
+      "    invalid.";
+  m.def(
+      name,
+      [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
+         const Compliance& compliance, const MaybeArray& points_O, double max_yield,
+         const MaybeArray& directions) {
+        const ContactSet unit = with_unit_normals(set);
+        const Matrix6Xd l = to_directions(directions);
+        const Compliance springs = compliance;
+        Yield yield;
+        if (points_O) yield = {to_points3(*points_O, "points_O"), max_yield};
+        const py::gil_scoped_release release;
+        return promise(unit, modes, nominal, springs, yield, l).*kNumber;
+      },
+      py::arg("set"), py::arg("modes"), py::arg("nominal"),
+      py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
+      py::arg("points_O") = py::none(), py::arg("max_yield") = 1e-3,
+      py::arg("directions") = py::none(), doc.c_str());
+}
+
 void bind_equilibrium(py::module_& m) {
   py::class_<Equilibrium> equilibrium(
       m, "Equilibrium",
       "Contact forces that balance a contact set, well inside their cones and limits.");
   equilibrium
+      .def(py::init([](const Array& contact_forces_O, const Array& finger_forces_O, double margin) {
+             return Equilibrium{to_points3(contact_forces_O, "contact_forces_O"),
+                                to_points3(finger_forces_O, "finger_forces_O"), margin};
+           }),
+           py::arg("contact_forces_O"), py::arg("finger_forces_O"), py::arg("margin") = 0.0,
+           "Forces of one's own, for instance measured ones.\n\n"
+           "Parameters\n"
+           "----------\n"
+           "contact_forces_O : array (m, 3)\n"
+           "    Force on the object at each contact, in O [N].\n"
+           "finger_forces_O : array (n, 3)\n"
+           "    Force on the object at each finger, in O [N].\n"
+           "margin : float\n"
+           "    As below [N].\n\n"
+           "Raises\n"
+           "------\n"
+           "ValueError\n"
+           "    An array has another shape.")
       .def_property_readonly(
           "contact_forces_O",
           [](const Equilibrium& self) -> Rows3 { return self.contact_forces_O.transpose(); },
@@ -718,56 +791,23 @@ void bind_equilibrium(py::module_& m) {
       "ValueError\n"
       "    The contact set, the modes, the nominal forces, the stiffness or the directions are "
       "invalid.");
-  m.def(
-      "withstands",
-      [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
-         const Compliance& compliance, const MaybeArray& points_O, double max_yield,
-         const MaybeArray& directions) {
-        const ContactSet unit = with_unit_normals(set);
-        const Matrix6Xd l = to_directions(directions);
-        const Compliance springs = compliance;
-        Yield yield;
-        if (points_O) yield = {to_points3(*points_O, "points_O"), max_yield};
-        const py::gil_scoped_release release;
-        return withstands(unit, modes, nominal, springs, yield, l);
-      },
-      py::arg("set"), py::arg("modes"), py::arg("nominal"),
-      py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
-      py::arg("points_O") = py::none(), py::arg("max_yield") = 1e-3,
-      py::arg("directions") = py::none(),
-      "Computes the largest disturbance that the contacts surely withstand.\n\n"
+  bind_promise<&Promise::withstands>(
+      m, "withstands",
+      "Computes the largest disturbance that the contacts withstand.\n\n"
       "Fingers are springs about their nominal forces, so they cannot choose how to share a\n"
-      "disturbance. The environment sticks, or its friction gives way. Not in the paper; see "
-      "docs/internals/withstands.md.\n\n"
-      "Parameters\n"
-      "----------\n"
-      "set : ContactSet\n"
-      "    Contacts with the environment and n fingers. Normals that are not unit vectors are\n"
-      "    normalised with a UserWarning.\n"
-      "modes : sequence of FingerMode\n"
-      "    One control mode for each finger.\n"
-      "nominal : Equilibrium\n"
-      "    Nominal forces, for instance from `compliant_equilibrium`.\n"
-      "compliance : Compliance\n"
-      "    Stiffness of the contacts.\n"
-      "points_O : array (N, 3), optional\n"
-      "    Points of the object in O that must not yield by more than `max_yield` [m]. By default\n"
-      "    there are none.\n"
-      "max_yield : float\n"
-      "    Distance by which the springs may let these points move [m].\n"
-      "directions : array (N, 6), optional\n"
-      "    Directions of disturbances in scaled wrench space. By default "
-      "`disturbance_directions`.\n\n"
-      "Returns\n"
-      "-------\n"
-      "float\n"
-      "    Largest disturbance [N] in every direction. 0 if the springs do not hold the object.\n\n"
-      "Raises\n"
-      "------\n"
-      "ValueError\n"
-      "    The contact set, the modes, the nominal forces, the stiffness, the points or the "
-      "directions are\n"
-      "    invalid.");
+      "disturbance. The environment sticks, or its friction gives way. Fingers are in their "
+      "places:\n"
+      "see `place_tolerance`. Not in the paper; see docs/internals/withstands.md.\n\n",
+      "    Largest disturbance [N] in every direction. 0 if the springs do not hold the "
+      "object.\n\n");
+  bind_promise<&Promise::place_tolerance>(
+      m, "place_tolerance",
+      "Computes the largest error of the fingers' places that the contacts tolerate.\n\n"
+      "In its place relative to the object, a finger has its nominal force; beside it, its spring\n"
+      "presses or pulls more. With errors of up to e, the contacts still withstand `withstands`\n"
+      "(1 - e / `place_tolerance`). Not in the paper; see docs/internals/withstands.md.\n\n",
+      "    Largest distance [m] by which every finger may be beside its place, in any direction,\n"
+      "    without a disturbance. 0 if the springs do not hold the object.\n\n");
 }
 
 void bind_friction_interval(py::module_& m) {

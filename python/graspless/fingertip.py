@@ -139,8 +139,16 @@ class Segment(_core.Segment):
 
     @property
     def withstands(self) -> Matrix:
-        """[N] largest disturbance that each row surely withstands [N]."""
+        """[N] largest disturbance that each row withstands, fingers in their places [N]."""
         return self._arrays[1][:, 3]
+
+    @property
+    def place_tolerance(self) -> Matrix:
+        """[N] largest error of the fingers' places that each row tolerates [m].
+
+        With an error of e, a row withstands `withstands` (1 - e / `place_tolerance`).
+        """
+        return self._arrays[1][:, 4]
 
 
 class JointSegment(_core.JointSegment):
@@ -177,10 +185,14 @@ class Plan(AnyPlan, _core.Plan):
         cost: float | None  # type: ignore[assignment]
         lower_bound: float | None  # type: ignore[assignment]
         withstands: float | None  # type: ignore[assignment]
+        place_tolerance: float | None  # type: ignore[assignment]
     else:
         segments = own_segments(_core.Plan)
         cost = of_found(_core.Plan, "cost", Status.solved, Status.not_realized)
         withstands = of_found(_core.Plan, "withstands", Status.solved, Status.not_realized)
+        place_tolerance = of_found(
+            _core.Plan, "place_tolerance", Status.solved, Status.not_realized
+        )
         lower_bound = property(
             lambda self: _finite(_core.Plan.lower_bound.fget(self)),
             _core.Plan.lower_bound.fset,
@@ -218,7 +230,7 @@ class Plan(AnyPlan, _core.Plan):
         changes["segments"] = [Segment(s.name, s.X_WO, s.rows, s.finger) for s in found.segments]
         changes["lower_bound"] = _finite(found.lower_bound)
         if not found:
-            changes["cost"] = changes["withstands"] = None
+            changes["cost"] = changes["withstands"] = changes["place_tolerance"] = None
         if found.weakest_segment >= 0:
             changes["weakest"] = Weakest(found.weakest_segment, found.weakest_row)
         return super()._of(found, task, **changes)

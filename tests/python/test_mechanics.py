@@ -118,7 +118,7 @@ def test_springs_withstand_more_with_room_where_they_ask_for_it():
     assert withstands[1] > 1.2 * withstands[0]
 
 
-def test_what_is_surely_withstood():
+def test_what_is_withstood():
     best = mechanics.best_control_modes(cuboid())
     nominal = mechanics.compliant_equilibrium(cuboid(), best.modes, best.stability.commanded_forces)
     corners = np.array(BOTTOM)

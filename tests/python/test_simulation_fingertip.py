@@ -336,7 +336,7 @@ def test_what_loses_the_object_is_no_less_than_what_bends_it(slide, monkeypatch,
     found = {Break().distance: (bent, 3), Break().lost_distance: (lost, 5)}
 
     class Fake:
-        undisturbed = 0.0
+        undisturbed = misplaced = 0.0
 
         def __init__(self, *_):
             pass

@@ -146,3 +146,79 @@ def test_never_more_than_fingers_that_choose_their_forces(case):
     free = made(*case[:2], edges=24, finger=wide, stick=wide)
     z = mechanics.max_stability(free, case[2]).z
     assert withstands(case) <= z * (1 + 1e-6) + 1e-6
+
+
+def stiffness_matrices(case, environment):
+    """Stiffness and Jacobian of every contact and then of every finger, written down anew."""
+    contacts, default = made(*case[:2]), mechanics.Compliance()
+    found = []
+    for at in contacts.contacts:
+        n, (normal, along) = np.asarray(at.n_O), environment
+        if at.mode == ContactMode.slide:
+            t = mechanics.tangent(at.n_O, at.t_O)
+            stiffness = normal * np.outer(n - at.friction * t, n)
+        else:
+            stiffness = along * np.eye(3) + (normal - along) * np.outer(n, n)
+        found.append((np.asarray(at.p_OC), stiffness))
+    for at, mode in zip(contacts.fingers, case[2], strict=True):
+        n = np.asarray(at.n_O)
+        normal = default.finger_normal if mode == POSITION else 0
+        along = default.finger_tangential
+        stiffness = along * np.eye(3) + (normal - along) * np.outer(n, n)
+        found.append((np.asarray(at.p_OC), stiffness))
+    levers = [p - np.asarray(contacts.com_O) for p, _ in found]
+    jacobians = [np.hstack([np.eye(3), -np.cross(np.eye(3), lever)]) for lever in levers]
+    return [stiffness for _, stiffness in found], jacobians
+
+
+def misplaced(case, errors, environment):
+    """Nominal forces when every finger's place is off by a row of `errors` [n, 3]."""
+    matrices, jacobians = stiffness_matrices(case, environment)
+    forces, contacts = nominal(case), len(made(*case[:2]).contacts)
+    before = np.vstack([forces.contact_forces_O, forces.finger_forces_O])
+    places = np.vstack([np.zeros((contacts, 3)), errors])
+    pushes = [K @ e for K, e in zip(matrices, places, strict=True)]
+    whole = sum(J.T @ K @ J for K, J in zip(matrices, jacobians, strict=True))
+    moved = np.linalg.solve(whole, sum(J.T @ f for J, f in zip(jacobians, pushes, strict=True)))
+    after = before + [
+        f - K @ J @ moved for f, K, J in zip(pushes, matrices, jacobians, strict=True)
+    ]
+    return mechanics.Equilibrium(np.array(after[:contacts]), np.array(after[contacts:]))
+
+
+@pytest.mark.parametrize("case", HELD[::2], ids=str)
+def test_fingers_beside_their_places_leave_the_promised_rest(case):
+    """Errors are changes of the nominal forces: with those, the law itself says what is left."""
+    least, rng = withstands(case), np.random.default_rng(7)
+    tolerance = mechanics.place_tolerance(made(*case[:2]), case[2], nominal(case))
+    if least == 0:
+        assert tolerance == 0 or np.isfinite(tolerance)
+        return
+    soft, hard, shared, given = (5e4, 4e4), (5e9, 5e9), (5e9, 1e4), (5e9, 1e3)
+    sticks = case[0] in ("tumble", "rest")
+    for share in (0.25, 0.5, 1.0):
+        for _ in range(20):
+            errors = rng.normal(size=(len(case[2]), 3))
+            errors *= share * tolerance / np.linalg.norm(errors, axis=1, keepdims=True)
+            left = {e: withstands(case, misplaced(case, errors, e)) for e in (soft, hard)}
+            worst = min(left.values())
+            if sticks:  # or friction gives way
+                others = (withstands(case, misplaced(case, errors, e)) for e in (shared, given))
+                worst = max(worst, *others)
+            assert worst >= least * (1 - share) - 1e-6 * least
+
+
+@pytest.mark.parametrize("case", [c for c in HELD if c[0] in ("slide", "turn")][::2], ids=str)
+def test_the_place_tolerance_is_not_far_too_small(case):
+    """Some errors of a few times the tolerance leave nothing."""
+    tolerance = mechanics.place_tolerance(made(*case[:2]), case[2], nominal(case))
+    if withstands(case) == 0:
+        return
+    rng, left = np.random.default_rng(8), np.inf
+    for _ in range(200):
+        errors = rng.normal(size=(len(case[2]), 3))
+        errors *= 4 * tolerance / np.linalg.norm(errors, axis=1, keepdims=True)
+        left = min(left, withstands(case, misplaced(case, errors, (5e4, 4e4))))
+        if left <= 0:
+            return
+    assert left <= 0

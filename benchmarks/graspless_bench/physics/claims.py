@@ -139,6 +139,7 @@ def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> 
 _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _WITHSTOOD = _ratio("withstands_ratio", 1.0)
+_AS_PROMISED = _ratio("promised_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
 _LOST_OPEN = _where_pulled("open_hand_holds")
@@ -241,6 +242,7 @@ CLAIMS: dict[str, list[Claim]] = {
     ],
     "fingertip_withstands": [
         Claim("holds without a disturbance", DISTURBED, lambda case: case["smallest"] != 0),
+        Claim("breaks at the promise or more", DISTURBED, _AS_PROMISED, 0.99),
         Claim("breaks at what it withstands or more", DISTURBED, _WITHSTOOD, 0.99),
         Claim("breaks at z or more", DISTURBED, _ratio("ratio", 1.0)),
         Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT),

@@ -147,8 +147,10 @@ class Assembler {
       row.nominal_margin = nominal->margin;
       row.compliant_stability = mechanics::compliant_stability(
           set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
-      row.withstands = mechanics::withstands(set, best.modes, *nominal, options_.compliance, yield_,
-                                             options_.disturbance_directions);
+      const mechanics::Promise promise = mechanics::promise(
+          set, best.modes, *nominal, options_.compliance, yield_, options_.disturbance_directions);
+      row.withstands = promise.withstands;
+      row.place_tolerance = promise.place_tolerance;
     }
     modes_.resize(slots_.size(), FingerMode::position);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
@@ -188,30 +190,37 @@ class Assembler {
 };
 
 /// Nominal forces follow the object's turns from row to row. Beyond the first and the last row of a
-/// segment they stay as they are in O, where gravity goes on turning: that takes from the margin.
+/// segment they stay as they are in O, where gravity goes on turning: that takes from the margins.
 void subtract_drift(const Problem& problem, Plan& plan) {
   const double mass = problem.object.mass();
   const auto drift = [&](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
     return mass * ((a.linear() - b.linear()).transpose() * problem.gravity_W).norm();
+  };
+  const auto subtract = [](double change, Row& row) {
+    const double left = std::max(0.0, row.withstands - change);
+    if (row.withstands > 0) row.place_tolerance *= left / row.withstands;
+    row.withstands = left;
   };
   for (Segment& segment : plan.segments) {
     if (segment.finger >= 0) continue;
     Row &first = segment.rows.front(), &last = segment.rows.back();
     const double before = drift(first.X_WO, segment.X_WO.front());
     const double after = drift(last.X_WO, segment.X_WO.back());
-    first.withstands = std::max(0.0, first.withstands - before);
-    last.withstands = std::max(0.0, last.withstands - after);
+    subtract(before, first);
+    subtract(after, last);
   }
 }
 
 void find_weakest(Plan& plan) {
   double least = std::numeric_limits<double>::infinity();
-  plan.withstands = least;
+  plan.withstands = plan.place_tolerance = least;
   for (std::size_t s = 0; s < plan.segments.size(); ++s) {
     for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
-      plan.withstands = std::min(plan.withstands, plan.segments[s].rows[r].withstands);
-      if (!(plan.segments[s].rows[r].stability < least)) continue;
-      least = plan.segments[s].rows[r].stability;
+      const Row& row = plan.segments[s].rows[r];
+      plan.withstands = std::min(plan.withstands, row.withstands);
+      plan.place_tolerance = std::min(plan.place_tolerance, row.place_tolerance);
+      if (!(row.stability < least)) continue;
+      least = row.stability;
       plan.weakest_segment = static_cast<int>(s);
       plan.weakest_row = static_cast<int>(r);
     }

@@ -41,8 +41,8 @@ std::string summary(const Plan& plan) {
   std::ostringstream text;
   text << plan.segments.size() << (plan.segments.size() == 1 ? " segment" : " segments") << " with "
        << plan.regrasps << (plan.regrasps == 1 ? " regrasp" : " regrasps")
-       << "; the stability is at least " << weakest.stability
-       << " N, and every row surely withstands " << plan.withstands << " N";
+       << "; the stability is at least " << weakest.stability << " N, and every row withstands "
+       << plan.withstands << " N";
   return text.str();
 }
 

@@ -643,7 +643,7 @@ class Row:
     """
     One instant of a plan: a sample of an arc, or a regrasp.
     """
-    def __init__(self, *, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[FingerState] = [], stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, compliant_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, nominal_margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, withstands: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+    def __init__(self, *, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[FingerState] = [], stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, compliant_stability: typing.SupportsFloat | typing.SupportsIndex = 0.0, nominal_margin: typing.SupportsFloat | typing.SupportsIndex = 0.0, withstands: typing.SupportsFloat | typing.SupportsIndex = 0.0, place_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -682,6 +682,15 @@ class Row:
     def nominal_margin(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def place_tolerance(self) -> float:
+        """
+        Largest error of the fingers' places that the row tolerates, by
+        mechanics.place_tolerance [m].
+        """
+    @place_tolerance.setter
+    def place_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def stability(self) -> float:
         """
         Stability z [N]. If friction is an interval, it is the least over the evaluated coefficients; for
@@ -693,7 +702,8 @@ class Row:
     @property
     def withstands(self) -> float:
         """
-        Largest disturbance that the row surely withstands, by mechanics.withstands [N].
+        Largest disturbance that the row withstands while fingers are in their places, by
+        mechanics.withstands [N].
         """
     @withstands.setter
     def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -931,6 +941,14 @@ class Plan:
     def lower_bound(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def place_tolerance(self) -> float:
+        """
+        Largest error of the fingers' places that every row tolerates [m].
+        """
+    @place_tolerance.setter
+    def place_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def reason(self) -> str:
         """
         Explanation of the outcome in one sentence.
@@ -1005,7 +1023,7 @@ class Plan:
     @property
     def withstands(self) -> float:
         """
-        Largest disturbance that every row surely withstands [N].
+        Largest disturbance that every row withstands [N].
         """
     @withstands.setter
     def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -1206,7 +1224,7 @@ class Realization:
         ...
 def _rows(object_poses: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], margins: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], fingers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[Row]:
     """
-    Returns rows: poses (N, 4, 4), margins (N, 4), and 12 numbers per finger (N, n, 12).
+    Returns rows: poses (N, 4, 4), margins (N, 5), and 12 numbers per finger (N, n, 12).
     """
 def certify_realization(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, realization: Realization, options: RealizeOptions = ...) -> graspless._core.scene.EdgeCertificate:
     """

@@ -8,7 +8,7 @@ import graspless._core.planning
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'tangent', 'validate', 'withstands', 'wrench_scale']
+__all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'place_tolerance', 'tangent', 'validate', 'withstands', 'wrench_scale']
 class ContactMode(enum.Enum):
     """
     Motion of the object at a contact with the environment, Eq. (1).
@@ -443,6 +443,24 @@ class Equilibrium:
     """
     Contact forces that balance a contact set, well inside their cones and limits.
     """
+    def __init__(self, contact_forces_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], finger_forces_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], margin: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
+        """
+        Forces of one's own, for instance measured ones.
+        
+        Parameters
+        ----------
+        contact_forces_O : array (m, 3)
+            Force on the object at each contact, in O [N].
+        finger_forces_O : array (n, 3)
+            Force on the object at each finger, in O [N].
+        margin : float
+            As below [N].
+        
+        Raises
+        ------
+        ValueError
+            An array has another shape.
+        """
     def __repr__(self) -> str:
         ...
     @property
@@ -946,6 +964,45 @@ def normalized(set: ContactSet) -> ContactSet:
     ValueError
         A normal has length zero or is not finite.
     """
+def place_tolerance(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, points_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
+    """
+    Computes the largest error of the fingers' places that the contacts tolerate.
+    
+    In its place relative to the object, a finger has its nominal force; beside it, its spring
+    presses or pulls more. With errors of up to e, the contacts still withstand `withstands`
+    (1 - e / `place_tolerance`). Not in the paper; see docs/internals/withstands.md.
+    
+    Parameters
+    ----------
+    set : ContactSet
+        Contacts with the environment and n fingers. Normals that are not unit vectors are
+        normalised with a UserWarning.
+    modes : sequence of FingerMode
+        One control mode for each finger.
+    nominal : Equilibrium
+        Nominal forces, for instance from `compliant_equilibrium`.
+    compliance : Compliance
+        Stiffness of the contacts.
+    points_O : array (N, 3), optional
+        Points of the object in O that must not yield by more than `max_yield` [m]. By default
+        there are none.
+    max_yield : float
+        Distance by which the springs may let these points move [m].
+    directions : array (N, 6), optional
+        Directions of disturbances in scaled wrench space. By default `disturbance_directions`.
+    
+    Returns
+    -------
+    float
+        Largest distance [m] by which every finger may be beside its place, in any direction,
+        without a disturbance. 0 if the springs do not hold the object.
+    
+    Raises
+    ------
+    ValueError
+        The contact set, the modes, the nominal forces, the stiffness, the points or the directions are
+        invalid.
+    """
 def tangent(n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], t_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
     """
     Returns a unit tangent at a contact.
@@ -982,10 +1039,11 @@ def validate(set: ContactSet) -> None:
     """
 def withstands(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, points_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
     """
-    Computes the largest disturbance that the contacts surely withstand.
+    Computes the largest disturbance that the contacts withstand.
     
     Fingers are springs about their nominal forces, so they cannot choose how to share a
-    disturbance. The environment sticks, or its friction gives way. Not in the paper; see docs/internals/withstands.md.
+    disturbance. The environment sticks, or its friction gives way. Fingers are in their places:
+    see `place_tolerance`. Not in the paper; see docs/internals/withstands.md.
     
     Parameters
     ----------

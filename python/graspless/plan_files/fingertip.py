@@ -35,7 +35,13 @@ def _segment(**columns: Any) -> fingertip.Segment:
         numbers[..., 9:] = columns["nominal_forces"]
     margins = [
         columns[name]
-        for name in ("stability", "compliant_stability", "nominal_margin", "withstands")
+        for name in (
+            "stability",
+            "compliant_stability",
+            "nominal_margin",
+            "withstands",
+            "place_tolerance",
+        )
     ]
     rows = core_rows(columns["object_poses"], np.transpose(margins), numbers)
     return fingertip.Segment(columns["name"], columns["X_WO"], rows, columns["finger"])
@@ -71,7 +77,10 @@ class Segment(Table):
     )
     nominal_margin: list[float] = Field(description="[N] margin of the nominal forces [N]")
     withstands: list[float] = Field(
-        description="[N] largest disturbance that each row surely withstands [N]"
+        description="[N] largest disturbance that each row withstands, fingers in their places [N]"
+    )
+    place_tolerance: list[float] = Field(
+        description="[N] largest error of the fingers' places that each row tolerates [m]"
     )
 
     def check(self, where: str, fingers: int) -> None:
@@ -79,7 +88,7 @@ class Segment(Table):
         rows = len(self.object_poses)
         of_rows = (
             "fingers", "normals", "modes", "commanded_forces", "nominal_forces",
-            "stability", "compliant_stability", "nominal_margin", "withstands",
+            "stability", "compliant_stability", "nominal_margin", "withstands", "place_tolerance",
         )  # fmt: skip
         for field in of_rows:
             values = getattr(self, field)
@@ -172,7 +181,13 @@ class FingertipPlanFile(PlanFields):
     regrasps: int
     withstands: float | None = Field(
         default=None,
-        description="largest disturbance that every row surely withstands [N]; null unless solved",
+        description="largest disturbance that every row withstands, fingers in their places [N]; "
+        "null unless solved",
+    )
+    place_tolerance: float | None = Field(
+        default=None,
+        description="largest error of the fingers' places that every row tolerates [m]; null "
+        "unless solved",
     )
     weakest: Weakest | None = Field(default=None, description="row of least stability")
     warnings: list[str]

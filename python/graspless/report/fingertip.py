@@ -24,6 +24,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "lower_bound": plan.lower_bound,
         "regrasps": plan.regrasps,
         "withstands": plan.withstands,
+        "place_tolerance": plan.place_tolerance,
         "weakest": None if weakest is None else {"segment": weakest[0], "row": weakest[1]},
         "warnings": list(plan.warnings),
         "limit": plan.limit,
@@ -35,6 +36,7 @@ def details(plan: Plan) -> dict[str, Any]:
                 "finger": s.finger,
                 "least_stability": float(s.stability.min()) if len(s) else None,
                 "withstands": float(s.withstands.min()) if len(s) else None,
+                "place_tolerance": float(s.place_tolerance.min()) if len(s) else None,
             }
             for s in plan.segments
         ],
@@ -58,6 +60,8 @@ def lines(plan: Plan) -> list[str]:
     found += [_segment_line(segment) for segment in plan.segments]
     found += [_joint_line(segment) for segment in plan.joint_segments]
     if plan.weakest is not None:
+        assert plan.withstands is not None  # as it is solved, like the next
+        assert plan.place_tolerance is not None
         k, row = plan.weakest
         weak = plan.segments[k]
         where = f"row {row} of {_name(weak)}" if len(plan.segments) == 1 else _place(k, row, weak)
@@ -67,7 +71,10 @@ def lines(plan: Plan) -> list[str]:
             f"(at least {plan.task.options.min_stability:.3g} N needed), "
             f"{compliant:.3g} N with contacts as springs (compliant index)"
         )
-        found.append(f"every row surely withstands {plan.withstands:.3g} N in any direction")
+        found.append(
+            f"every row withstands {plan.withstands:.3g} N in any direction with the fingers in "
+            f"their places; without a push, they may be {1e6 * plan.place_tolerance:.3g} um off"
+        )
     return found
 
 

@@ -85,7 +85,8 @@ class Fingertip:
     obstacle_skin: float = 0.0005  # half thickness of an obstacle's mesh [m]: a choice
     skin: float = 0.2  # thickness of the surface of an object that is not convex [radii of a
     # fingertip]: a choice, small compared with a notch that a fingertip enters
-    turning: float = 10.0  # stiffness against rolling, relative to position control at the contact
+    turning: float = 100.0  # stiffness against rolling, relative to position control at the
+    # contact: what touches is then as stiff along the surface as the servo, but for 1 %
     speed: float = 0.005  # of a sliding object [m/s]; MuJoCo lifts faster ones off the floor
     arm_speed: float = 0.01  # of an object that an arm slides [m/s]
     approach: float = 0.002  # distance from which a finger comes to the surface [m]
@@ -114,7 +115,8 @@ class Break:
     zero: tuple[float, ...] = (0.3, 0.34)  # times at which the fingers' places are zeroed [s]: what
     # slides on MuJoCo's floor is lifted by some 0.05 mm, which takes 0.5 N from a stiff finger
     begin: float = 0.4  # time at which the wrench begins to rise [s]
-    rise_seconds: float = 0.05  # duration of the rise [s]
+    rise_seconds: float = 0.1  # duration of the rise, a half cosine [s]: what is on the fingers
+    # oscillates within 10 to 50 ms, and a ramp of 50 ms made it overshoot by a tenth
     until: float = 0.75  # time at which the test ends [s]
     rest_window: float = 0.1  # the last two such parts tell whether the object comes to rest [s]
     goes_on: float = 1.0  # for which a test goes on if the object has not come to rest [s]: a

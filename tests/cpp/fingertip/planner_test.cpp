@@ -28,6 +28,7 @@ void expect_well_formed(const Problem& problem, const Options& options, const Pl
       EXPECT_GT(row.nominal_margin, 0);
       EXPECT_GT(row.compliant_stability, 0);
       EXPECT_GE(row.withstands, plan.withstands);
+      EXPECT_GE(row.place_tolerance, plan.place_tolerance);
       least = std::min(least, row.stability);
       for (std::size_t i = 0; i < row.fingers.size(); ++i) {
         const FingerState& finger = row.fingers[i];

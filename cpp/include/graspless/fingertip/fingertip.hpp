@@ -80,10 +80,14 @@ struct Row {
   double stability = 0;
   double compliant_stability = 0;  ///< see mechanics::compliant_stability [N]
   double nominal_margin = 0;       ///< mechanics::Equilibrium::margin [N]
-  /// Largest disturbance that the row surely withstands, see mechanics::withstands [N]. At the
-  /// first and the last row of a segment it is less what gravity changes in O up to the segment's
-  /// end, where nominal forces stay as they are.
+  /// Largest disturbance that the row withstands while fingers are in their places, see
+  /// mechanics::withstands [N]. At the first and the last row of a segment it is less what gravity
+  /// changes in O up to the segment's end, where nominal forces stay as they are.
   double withstands = 0;
+  /// Largest error of the fingers' places that the row tolerates without a disturbance, see
+  /// mechanics::Promise [m]. With an error of e it withstands
+  /// withstands (1 - e / place_tolerance). Less at the ends of a segment, as withstands is.
+  double place_tolerance = 0;
 };
 
 /// Part of a plan during which no finger changes its place, or one regrasp.
@@ -160,8 +164,10 @@ struct Plan {
   /// optimal. For a Goal, it holds for the motions of the object that were considered.
   double lower_bound = 0;
   int regrasps = 0;
-  /// Least Row::withstands: the largest disturbance that the plan surely withstands everywhere [N].
+  /// Least Row::withstands: the largest disturbance that the plan withstands everywhere [N].
   double withstands = 0;
+  /// Least Row::place_tolerance [m].
+  double place_tolerance = 0;
   std::vector<Segment> segments;
   std::vector<std::string> warnings;
   /// Segment and row of least stability; -1 without a plan.

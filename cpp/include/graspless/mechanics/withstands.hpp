@@ -18,7 +18,7 @@ struct Yield {
   double distance = std::numeric_limits<double>::infinity();  ///< [m]
 };
 
-/// Largest t [N] such that the contacts surely withstand every disturbance t l_i, and so all their
+/// Largest t [N] such that the contacts withstand every disturbance t l_i, and so all their
 /// convex combinations, among them every disturbance of size t. Unlike Problem (6), fingers cannot
 /// choose their forces: they are springs about their nominal forces. A disturbance is withstood if
 /// - the force of each finger stays within Coulomb's cone and its limit,
@@ -38,5 +38,22 @@ GRASPLESS_API double withstands(const ContactSet& set, const std::vector<FingerM
                                 const Equilibrium& nominal, const Compliance& compliance = {},
                                 const Yield& yield = {},
                                 const Matrix6Xd& directions = disturbance_directions());
+
+/// Numbers that fingers as springs promise.
+struct Promise {
+  double withstands = 0;  ///< withstands() [N]
+  /// Largest e [m] such that the same conditions hold without a disturbance while every finger is
+  /// beside its place, relative to the object, by up to e in any direction. In its place, a finger
+  /// has its nominal force; beside it, its spring presses or pulls more. With errors of up to e,
+  /// the contacts still withstand `withstands` (1 - e / place_tolerance): the conditions are convex
+  /// in disturbance and errors together. Infinite if no error matters.
+  double place_tolerance = 0;
+};
+
+/// Both numbers. Arguments and exceptions are those of withstands().
+GRASPLESS_API Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
+                              const Equilibrium& nominal, const Compliance& compliance = {},
+                              const Yield& yield = {},
+                              const Matrix6Xd& directions = disturbance_directions());
 
 }  // namespace graspless::mechanics

@@ -23,7 +23,7 @@ bool is_finite(const FingerState& finger) {
 bool is_finite(const Row& row) {
   return row.X_WO.matrix().allFinite() && std::isfinite(row.stability) &&
          std::isfinite(row.compliant_stability) && std::isfinite(row.nominal_margin) &&
-         std::isfinite(row.withstands) &&
+         std::isfinite(row.withstands) && std::isfinite(row.place_tolerance) &&
          std::all_of(row.fingers.begin(), row.fingers.end(),
                      [](const FingerState& finger) { return is_finite(finger); });
 }
@@ -191,11 +191,13 @@ void Examination::check_cost() {
 
 void Examination::check_weakest() {
   double least = std::numeric_limits<double>::infinity(), named = least, withstands = least;
+  double tolerance = least;
   for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
     for (std::size_t r = 0; r < segment(s).rows.size(); ++r) {
       const double z = segment(s).rows[r].stability;
       least = std::min(least, z);
       withstands = std::min(withstands, segment(s).rows[r].withstands);
+      tolerance = std::min(tolerance, segment(s).rows[r].place_tolerance);
       const bool is_named =
           plan_.weakest_segment == static_cast<int>(s) && plan_.weakest_row == static_cast<int>(r);
       if (is_named) named = z;
@@ -203,6 +205,10 @@ void Examination::check_weakest() {
   }
   if (!(std::abs(plan_.withstands - withstands) <= kRound * std::max(1.0, withstands))) {
     fault("plan", "withstands: " + figure(withstands) + ", promised " + figure(plan_.withstands));
+  }
+  if (!(std::abs(plan_.place_tolerance - tolerance) <= kRound * tolerance)) {
+    fault("plan",
+          "place tolerance: " + figure(tolerance) + ", promised " + figure(plan_.place_tolerance));
   }
   if (named <= least * (1 + kRound)) return;
   fault("plan", "segment " + std::to_string(plan_.weakest_segment) + ", row " +

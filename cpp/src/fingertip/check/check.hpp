@@ -11,6 +11,7 @@
 #include "graspless/mechanics/equilibrium.hpp"
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
+#include "graspless/mechanics/withstands.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
 /// and the contract in fingertip.hpp, so that a mistake of the search cannot hide here. Of this
@@ -55,7 +56,7 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
 
 // withstands.cpp
 
-/// The largest disturbance that an instant surely withstands: mechanics::withstands() anew.
+/// The largest disturbance that an instant withstands: mechanics::withstands() anew.
 double withstands_at(const Instant& instant, const mechanics::Equilibrium& nominal,
                      const Options& options, const Eigen::Matrix3Xd& corners_O);
 
@@ -65,7 +66,7 @@ struct Verdict {
   double stability = 0;  // the least at the ends of the environment's friction
   double compliant_stability = 0;
   std::optional<mechanics::Equilibrium> nominal;
-  double withstands = 0;
+  mechanics::Promise promise;
   bool is_bounded = false;  // Problem (5)
   mechanics::FrictionVerdict over_friction;
 };
@@ -140,6 +141,8 @@ class Examination {
   const Verdict& judged(const Instant& instant);
   Verdict judge(const Instant& instant) const;
   void check_nominal(std::size_t segment, std::size_t row, const Instant& instant);
+  mechanics::Promise promise_of(const Instant& instant,
+                                const mechanics::Equilibrium& nominal) const;
   void check_withstands(std::size_t segment, std::size_t row, const Instant& instant,
                         const Verdict& found);
   double drift(std::size_t segment, std::size_t row) const;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kRoundStability = 1e-7;   // relative, of stabilities
 constexpr double kRoundWithstands = 1e-6;  // relative, of what springs withstand
+constexpr double kRoundPlace = 1e-12;      // [m]
 
 bool differs(double a, double b) {
   return !(std::abs(a - b) <= kRoundStability * std::max(1.0, b));
@@ -131,7 +132,7 @@ Verdict Examination::judge(const Instant& instant) const {
   if (verdict.nominal) {
     verdict.compliant_stability = mechanics::compliant_stability(
         instant.set, instant.modes, *verdict.nominal, options_.compliance, directions);
-    verdict.withstands = withstands_at(instant, *verdict.nominal, options_, problem_.object.hull());
+    verdict.promise = promise_of(instant, *verdict.nominal);
   }
   return verdict;
 }
@@ -179,11 +180,22 @@ double Examination::drift(std::size_t s, std::size_t r) const {
   return most;
 }
 
+/// The first number anew, the second by the planner's code.
+mechanics::Promise Examination::promise_of(const Instant& instant,
+                                           const mechanics::Equilibrium& nominal) const {
+  const Eigen::Matrix3Xd& hull = problem_.object.hull();
+  mechanics::Promise promise =
+      mechanics::promise(instant.set, instant.modes, nominal, options_.compliance,
+                         {hull, options_.max_yield}, options_.disturbance_directions);
+  promise.withstands = withstands_at(instant, nominal, options_, hull);
+  return promise;
+}
+
 /// The forces that the row itself feeds forward decide; mostly they are those of the verdict.
 void Examination::check_withstands(std::size_t s, std::size_t r, const Instant& instant,
                                    const Verdict& found) {
   const Row& row = segment(s).rows[r];
-  double holds = found.withstands;
+  mechanics::Promise holds = found.promise;
   if (found.nominal) {
     mechanics::Equilibrium own = *found.nominal;
     Eigen::Index k = 0;
@@ -191,13 +203,17 @@ void Examination::check_withstands(std::size_t s, std::size_t r, const Instant& 
       if (finger.touches) own.finger_forces_O.col(k++) = finger.nominal_force_O;
     }
     const double off = (own.finger_forces_O - found.nominal->finger_forces_O).norm();
-    if (off > 1e-3 * same_force_) {
-      holds = withstands_at(instant, own, options_, problem_.object.hull());
-    }
+    if (off > 1e-3 * same_force_) holds = promise_of(instant, own);
   }
-  holds = std::max(0.0, holds - drift(s, r));
-  if (!(std::abs(row.withstands - holds) <= kRoundWithstands * std::max(1.0, holds))) {
-    fault(place(s, r), "withstands: " + figure(holds) + ", promised " + figure(row.withstands));
+  const double left = std::max(0.0, holds.withstands - drift(s, r));
+  if (holds.withstands > 0) holds.place_tolerance *= left / holds.withstands;
+  if (!(std::abs(row.withstands - left) <= kRoundWithstands * std::max(1.0, left))) {
+    fault(place(s, r), "withstands: " + figure(left) + ", promised " + figure(row.withstands));
+  }
+  if (!(std::abs(row.place_tolerance - holds.place_tolerance) <=
+        kRoundWithstands * holds.place_tolerance + kRoundPlace)) {
+    fault(place(s, r), "place tolerance: " + figure(holds.place_tolerance) + ", promised " +
+                           figure(row.place_tolerance));
   }
 }
 

@@ -87,6 +87,36 @@ bool holds(const Matrix6d& stiffness, const Matrix6d& scale, bool slides) {
   return scaled.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff() > soft;
 }
 
+/// All springs, and the stiffness that they give the object together.
+struct System {
+  std::vector<LocatedSpring> all;  // of the contacts, then of the fingers
+  Matrix6d stiffness = Matrix6d::Zero();
+
+  /// Nothing if the springs do not hold the object.
+  static std::optional<System> of(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                  const Compliance& compliance) {
+    System system{all_of(set, modes, compliance)};
+    bool slides = false;
+    for (const LocatedSpring& at : system.all) {
+      system.stiffness += at.displaced.transpose() * at.stiffness * at.displaced;
+      slides = slides || at.spring.follows;
+    }
+    if (!holds(system.stiffness, set.wrench_scale, slides)) return std::nullopt;
+    return system;
+  }
+
+  /// Displacement under wrenches, and what it changes.
+  Sprung moved_by(const Matrix6Xd& wrenches) const {
+    Sprung found;
+    found.moved = stiffness.partialPivLu().solve(Eigen::MatrixXd(wrenches));
+    for (const LocatedSpring& at : all) {
+      found.springs.push_back(at.spring);
+      found.springs.back().changes = -at.stiffness * at.displaced * found.moved;
+    }
+    return found;
+  }
+};
+
 /// Largest t at which force + t change lies within Coulomb's cone, for a nominal force inside it.
 /// The quadratic a t^2 + 2 b t + c is negative inside.
 double slip_limit(const Spring& spring, const Eigen::Vector3d& force,
@@ -123,6 +153,29 @@ double Spring::within_limit(const Eigen::Vector3d& force_O) const {
   return most > 0 ? std::max(0.0, max_normal - normal) / most : kUnlimited;
 }
 
+double Spring::tolerates(const Eigen::Vector3d& force_O) const {
+  const double normal = n.dot(force_O);
+  const double slips = follows ? 0 : (force_O - normal * n).norm();
+  const double mu = follows ? 1 : friction;  // of one that cannot slip, only the normal counts
+  double grows = 0, turns = 0;
+  for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
+    const Eigen::Matrix3d of = changes.middleCols<3>(k);
+    grows += (n.transpose() * of).norm();
+    if (!follows) turns += largest_stretch(of - n * (n.transpose() * of));
+  }
+  const double room = std::max(0.0, mu * normal - slips);
+  double e = kUnlimited;
+  if (turns + mu * grows > 0) e = room / (turns + mu * grows);
+  if (grows > 0) e = std::min(e, std::max(0.0, max_normal - normal) / grows);
+  return e;
+}
+
+double largest_stretch(const Eigen::Matrix3d& of) {
+  const Eigen::Matrix3d squares = of.transpose() * of;
+  const double most = squares.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
+  return std::sqrt(std::max(0.0, most));
+}
+
 Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i) {
   const auto contact = static_cast<Eigen::Index>(i), contacts = forces.contact_forces_O.cols();
   if (contact < contacts) return forces.contact_forces_O.col(contact);
@@ -131,21 +184,27 @@ Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i) {
 
 std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
                              const Compliance& compliance, const Matrix6Xd& wrenches) {
-  const std::vector<LocatedSpring> all = all_of(set, modes, compliance);
-  Matrix6d stiffness = Matrix6d::Zero();
-  bool slides = false;
-  for (const LocatedSpring& at : all) {
-    stiffness += at.displaced.transpose() * at.stiffness * at.displaced;
-    slides = slides || at.spring.follows;
-  }
-  if (!holds(stiffness, set.wrench_scale, slides)) return std::nullopt;
+  const auto system = System::of(set, modes, compliance);
+  if (!system) return std::nullopt;
+  return system->moved_by(-wrenches);  // the springs must supply the wrench
+}
 
-  // The springs must supply the wrench, which determines the displacement.
-  Sprung found;
-  found.moved = -stiffness.partialPivLu().solve(Eigen::MatrixXd(wrenches));
-  for (const LocatedSpring& at : all) {
-    found.springs.push_back(at.spring);
-    found.springs.back().changes = -at.stiffness * at.displaced * found.moved;
+std::optional<Sprung> misplaced(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                const Compliance& compliance) {
+  const auto system = System::of(set, modes, compliance);
+  if (!system) return std::nullopt;
+  const std::size_t contacts = set.contacts.size();
+  const auto errors = 3 * static_cast<Eigen::Index>(set.fingers.size());
+  Matrix6Xd pushes(6, errors);
+  for (std::size_t j = 0; j < set.fingers.size(); ++j) {
+    const LocatedSpring& at = system->all[contacts + j];
+    pushes.middleCols<3>(3 * static_cast<Eigen::Index>(j)) =
+        at.displaced.transpose() * at.stiffness;
+  }
+  Sprung found = system->moved_by(pushes);
+  for (std::size_t j = 0; j < set.fingers.size(); ++j) {
+    found.springs[contacts + j].changes.middleCols<3>(3 * static_cast<Eigen::Index>(j)) +=
+        system->all[contacts + j].stiffness;
   }
   return found;
 }

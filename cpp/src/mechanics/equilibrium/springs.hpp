@@ -23,8 +23,14 @@ struct Spring {
   double within_cone(const Eigen::Vector3d& force_O) const;
   /// Largest t at which force + t change stays below max_normal, for every change.
   double within_limit(const Eigen::Vector3d& force_O) const;
+  /// Largest e at which both hold for all errors of length e [m], if every three columns of
+  /// `changes` are those of one finger's error.
+  double tolerates(const Eigen::Vector3d& force_O) const;
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 };
+
+/// Largest length to which a matrix maps a unit vector.
+double largest_stretch(const Eigen::Matrix3d& of);
 
 /// Throws std::invalid_argument unless there is one finite force a contact and one a finger.
 void validate_nominal(const ContactSet& set, const Equilibrium& nominal);
@@ -32,7 +38,7 @@ void validate_nominal(const ContactSet& set, const Equilibrium& nominal);
 /// Force at contact i; contacts come before fingers.
 Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i);
 
-/// Object on springs under disturbances.
+/// Object on springs under disturbances, or with fingers beside their places.
 struct Sprung {
   std::vector<Spring> springs;  ///< of the contacts, then of the fingers
   Matrix6Xd moved;              ///< twist of the object about its centre of mass, in O, for each
@@ -43,6 +49,11 @@ struct Sprung {
 /// not hold the object. Arguments are not validated; a stiffness along the surface may be zero.
 std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode>& modes,
                              const Compliance& compliance, const Matrix6Xd& wrenches);
+
+/// Springs with the changes of their forces per metre by which fingers are beside their places,
+/// along the axes of O: three columns for each finger. Otherwise like sprung().
+std::optional<Sprung> misplaced(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                const Compliance& compliance);
 
 /// Springs of the contacts, then of the fingers, with the changes of their forces when the object
 /// has moved until the springs balance a disturbance. Nothing if the springs do not hold the

@@ -5,9 +5,12 @@
 #include "mechanics/equilibrium/support.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
+
+#include "mechanics/equilibrium/springs.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -104,6 +107,71 @@ bool Support::edge_supplies(const Vector6d& w) const {
     room += std::sqrt(most * most - slips * slips);
   }
   return room >= 0;
+}
+
+/// Each end's force, and the force along the edge, may change by what all errors change it at most.
+double Support::edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) const {
+  const Vector3d unit = along_.normalized();
+  const Vector3d over = along_ / along_.squaredNorm();
+  // Across the edge, at its first and its second end.
+  const auto across = [&](const Vector6d& of, bool at_second) -> Vector3d {
+    const Vector3d force = of.head<3>();
+    const Vector3d second = (of.tail<3>() - first_.cross(force)).cross(over);
+    return at_second ? second : Vector3d(force - unit.dot(force) * unit - second);
+  };
+  struct End {
+    double normal, slips, normal_per_error = 0, slips_per_error = 0;
+  };
+  double along_per_error = 0, most = Spring::kUnlimited;
+  std::array<End, 2> ends{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    End& end = ends[i];
+    const Vector3d f = across(w, i == 1);
+    end.normal = n_.dot(f);
+    end.slips = (f - end.normal * n_).norm();
+    for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
+      Eigen::Matrix3d of;
+      for (int axis = 0; axis < 3; ++axis) of.col(axis) = across(changes.col(k + axis), i == 1);
+      end.normal_per_error += (n_.transpose() * of).norm();
+      end.slips_per_error += largest_stretch(of - n_ * (n_.transpose() * of));
+      if (i == 0)
+        along_per_error += (unit.transpose() * changes.middleRows<3>(0).middleCols<3>(k)).norm();
+    }
+    const double room = std::max(0.0, friction_ * end.normal - end.slips);
+    const double per_error = end.slips_per_error + friction_ * end.normal_per_error;
+    if (per_error > 0) most = std::min(most, room / per_error);
+  }
+  const auto left = [&](double e) {  // of the friction along the edge
+    double sum = -std::abs(unit.dot(w.head<3>())) - e * along_per_error;
+    for (const End& end : ends) {
+      const double normal = friction_ * (end.normal - e * end.normal_per_error);
+      const double slips = end.slips + e * end.slips_per_error;
+      sum += std::sqrt(std::max(0.0, normal * normal - slips * slips));
+    }
+    return sum;
+  };
+  if (!(left(0) > 0)) return 0;
+  if (along_per_error > 0) most = std::min(most, left(0) / along_per_error);
+  if (!std::isfinite(most) || left(most) >= 0) return most;
+  double low = 0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + most) / 2;
+    (left(middle) >= 0 ? low : most) = middle;
+  }
+  return low;
+}
+
+double Support::tolerates(const Vector6d& w, const Matrix6Xd& changes) const {
+  if (is_edge_) return edge_tolerates(w, changes);
+  double most = Spring::kUnlimited;
+  for (const Vector6d& facet : facets_) {
+    double falls = 0;
+    for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
+      falls += (facet.transpose() * changes.middleCols<3>(k)).norm();
+    }
+    if (falls > 0) most = std::min(most, std::max(0.0, facet.dot(w)) / falls);
+  }
+  return most;
 }
 
 double Support::within(const Vector6d& w, const Vector6d& change, double most) const {

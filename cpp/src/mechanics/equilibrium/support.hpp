@@ -19,10 +19,15 @@ class Support {
   /// Largest t up to `most` such that all wrenches from w to w + t change can be supplied. Both are
   /// taken to lie in the space that the contacts' forces span.
   double within(const Vector6d& w, const Vector6d& change, double most) const;
+  /// Largest e such that w + changes * errors can be supplied for all errors whose every three
+  /// entries have length e at most; possibly less for an edge, where the largest changes of the
+  /// forces at its two ends are taken to come together.
+  double tolerates(const Vector6d& w, const Matrix6Xd& changes) const;
 
  private:
   void find_facets(const ContactSet& set);
   bool edge_supplies(const Vector6d& w) const;
+  double edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) const;
 
   bool is_edge_ = false;
   // Two sticking contacts.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -20,6 +21,8 @@ namespace {
 
 // Stiffness of a rigid environment, relative to the largest given.
 constexpr double kRigid = 1e5;
+// Relative difference that is rounding.
+constexpr double kEven = 1e-9;
 // Stiffness of friction that has given way, relative to a finger along the surface.
 constexpr double kGiven = 0.1;
 
@@ -70,7 +73,47 @@ class Law {
     return within_support(found->springs, t);
   }
 
+  /// Largest e such that all conditions hold, with these springs and without a disturbance, while
+  /// every finger is beside its place by e at most, in any direction.
+  double tolerates(const Compliance& compliance) const {
+    const auto found = misplaced(set_, modes_, compliance);
+    if (!found) return 0;
+    double e = within_yield_by_errors(found->moved);
+    const std::size_t contacts = set_.contacts.size();
+    for (std::size_t i = 0; i < found->springs.size(); ++i) {
+      if (i < contacts && support_.is_closed_form()) continue;
+      e = std::min(e, found->springs[i].tolerates(force_at(nominal_, i)));
+    }
+    if (!support_.is_closed_form()) return e;
+    Matrix6Xd changes =
+        Matrix6Xd::Zero(6, found->moved.cols());  // of what the environment supplies
+    for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
+      for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+        changes.col(k) -=
+            wrench_at(set_, set_.fingers[j].p_OC, found->springs[contacts + j].changes.col(k));
+      }
+    }
+    return std::min(e, support_.tolerates(supplied_, changes));
+  }
+
  private:
+  double within_yield_by_errors(const Matrix6Xd& moved) const {
+    double e = Spring::kUnlimited;
+    for (Eigen::Index k = 0; k < yield_.points_O.cols(); ++k) {
+      const Eigen::Vector3d lever = yield_.points_O.col(k) - set_.com_O;
+      double far = 0;
+      for (Eigen::Index j = 0; j + 3 <= moved.cols(); j += 3) {
+        Eigen::Matrix3d way = moved.block<3, 3>(0, j);
+        for (int axis = 0; axis < 3; ++axis) {
+          way.col(axis) += Eigen::Vector3d(moved.col(j + axis).tail<3>()).cross(lever);
+        }
+        far += largest_stretch(way);
+      }
+      if (far > 0) e = std::min(e, yield_.distance / far);
+    }
+    return e;
+  }
+
   double within_yield(const Matrix6Xd& moved, double t) const {
     for (Eigen::Index k = 0; k < yield_.points_O.cols(); ++k) {
       const Eigen::Vector3d lever = yield_.points_O.col(k) - set_.com_O;
@@ -105,9 +148,35 @@ class Law {
   Vector6d supplied_;  // wrench of the environment without a disturbance
 };
 
-}  // namespace
+/// Stiffnesses of the springs with which a set withstands most, and how much.
+struct Holding {
+  double disturbance = 0;
+  std::vector<Compliance> springs;
+};
 
-double withstands(const ContactSet& set, const std::vector<FingerMode>& modes,
+/// The environment sticks, or its friction gives way and the set withstands more.
+Holding holding(const Law& law, const ContactSet& set, const Compliance& c) {
+  const double rigid = kRigid * std::max({c.environment_normal, c.environment_tangential,
+                                          c.finger_normal, c.finger_tangential});
+  const auto with = [&](double normal, double tangential) {
+    return Compliance{normal, tangential, c.finger_normal, c.finger_tangential};
+  };
+  const double most = largest_force(set);
+  const Compliance sticks = with(rigid, rigid);
+  Holding found{law.largest(sticks, law.largest(c, most, 0), 0), {c, sticks}};
+  const bool can_give =
+      std::any_of(set.contacts.begin(), set.contacts.end(),
+                  [](const Contact& at) { return at.mode == ContactMode::stick; });
+  if (!can_give) return found;
+  for (const double share : {1.0, kGiven}) {
+    const Compliance gives = with(rigid, share * c.finger_tangential);
+    const double t = law.largest(gives, most, found.disturbance);
+    if (t > found.disturbance * (1 + kEven)) found = {t, {gives}};
+  }
+  return found;
+}
+
+void validate_all(const ContactSet& set, const std::vector<FingerMode>& modes,
                   const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
                   const Matrix6Xd& directions) {
   validate(set);
@@ -116,21 +185,26 @@ double withstands(const ContactSet& set, const std::vector<FingerMode>& modes,
   planning::require_in_range("compliance.", compliance);
   validate_yield(yield);
   validate_directions(directions);
+}
+
+}  // namespace
+
+double withstands(const ContactSet& set, const std::vector<FingerMode>& modes,
+                  const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
+                  const Matrix6Xd& directions) {
+  validate_all(set, modes, nominal, compliance, yield, directions);
+  return holding(Law(set, modes, nominal, yield, directions), set, compliance).disturbance;
+}
+
+Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
+                const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
+                const Matrix6Xd& directions) {
+  validate_all(set, modes, nominal, compliance, yield, directions);
   const Law law(set, modes, nominal, yield, directions);
-  const Compliance& c = compliance;
-  const double rigid = kRigid * std::max({c.environment_normal, c.environment_tangential,
-                                          c.finger_normal, c.finger_tangential});
-  const auto with = [&](double normal, double tangential, double most, double enough) {
-    return law.largest({normal, tangential, c.finger_normal, c.finger_tangential}, most, enough);
-  };
-  const double most = largest_force(set);
-  const double sticks = with(rigid, rigid, law.largest(compliance, most, 0), 0);
-  const bool can_give =
-      std::any_of(set.contacts.begin(), set.contacts.end(),
-                  [](const Contact& at) { return at.mode == ContactMode::stick; });
-  if (!can_give) return sticks;
-  const double shares = std::max(sticks, with(rigid, c.finger_tangential, most, sticks));
-  return std::max(shares, with(rigid, kGiven * c.finger_tangential, most, shares));
+  const Holding found = holding(law, set, compliance);
+  double e = std::numeric_limits<double>::infinity();
+  for (const Compliance& springs : found.springs) e = std::min(e, law.tolerates(springs));
+  return {found.disturbance, e};
 }
 
 }  // namespace graspless::mechanics

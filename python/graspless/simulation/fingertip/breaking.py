@@ -47,8 +47,13 @@ class Breaking:
         The greatest factor that was tried [N].
     undisturbed : float
         How far a corner was from its planned place without any wrench, at worst [m].
+    misplaced : float
+        How far a finger was beside its place on the object without any wrench, at worst, since the
+        places were zeroed [m].
     stability, compliant_stability, withstands : float
         What the plan says of the row [N].
+    place_tolerance : float
+        What it says of the fingers' places [m].
     """
 
     segment: int
@@ -58,14 +63,23 @@ class Breaking:
     lost: float
     tried: float
     undisturbed: float
+    misplaced: float
     stability: float
     compliant_stability: float
     withstands: float
+    place_tolerance: float
+
+    @property
+    def promised(self) -> float:
+        """What the row withstands with its fingers where they were [N]."""
+        if not self.place_tolerance > 0:
+            return 0.0
+        return self.withstands * max(0.0, 1 - self.misplaced / self.place_tolerance)
 
     def as_dict(self) -> dict[str, Any]:
         """Returns all values and ratios by name; None if nothing broke the motion."""
         z, compliant = self.stability, max(self.compliant_stability, 1e-12)
-        promised = max(self.withstands, 1e-12)
+        promised = max(self.promised, 1e-12)
         return {
             "segment": self.segment,
             "row": self.row,
@@ -77,10 +91,14 @@ class Breaking:
             "z": self.stability,
             "compliant": self.compliant_stability,
             "withstands": self.withstands,
+            "place_tolerance": self.place_tolerance,
+            "misplaced": _finite(self.misplaced),
+            "promised": self.promised,
             "ratio": _finite(self.smallest / z),
             "lost_ratio": _finite(self.lost / z),
             "compliant_ratio": _finite(self.smallest / compliant),
-            "withstands_ratio": _finite(self.smallest / promised),
+            "withstands_ratio": _finite(self.smallest / max(self.withstands, 1e-12)),
+            "promised_ratio": _finite(self.smallest / promised),
         }
 
 
@@ -139,7 +157,8 @@ def break_test(
         lost = max(smallest, trial.smallest(z, settings.lost_distance)[0])
     return Breaking(
         s, i, smallest, direction, lost, settings.largest * z, trial.undisturbed,
-        z, float(segment.compliant_stability[i]), float(segment.withstands[i]),
+        trial.misplaced, z, float(segment.compliant_stability[i]), float(segment.withstands[i]),
+        float(segment.place_tolerance[i]),
     )  # fmt: skip
 
 
@@ -169,7 +188,9 @@ class Disturbed:
         self._start = round(settings.begin / self._world.model.opt.timestep)
         moments = range(self._start, round(settings.until / self._world.model.opt.timestep))
         self._first = sum(i % settings.every == 0 for i in moments)  # looks of the test proper
+        self._touches = segment.touches[row]
         self._state = self._settled()
+        self._misplaced = 0.0
         self._undisturbed = self._run(np.zeros(6))
 
     @property
@@ -181,6 +202,11 @@ class Disturbed:
             corner_error(self._world.hull, place, self._script.places[i])
             for i, place in zip(looked_at, self._undisturbed, strict=False)
         )
+
+    @property
+    def misplaced(self) -> float:
+        """Returns the largest error of a finger's place on the object without any wrench [m]."""
+        return self._misplaced
 
     def wrench_O(self, direction: int) -> Matrix:
         """Returns the wrench [6] of 1 N along one direction of the task."""
@@ -243,6 +269,7 @@ class Disturbed:
             world.carry(held, 1 - loaded, grip * settings.carry_rate)
             if any(abs(time - at) < world.model.opt.timestep / 2 for at in settings.zero):
                 self._servo.zero(i)
+                self._zeroed_O = self._commanded_O(i)
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
         self._zero_O = self._servo.zero_O
@@ -262,7 +289,8 @@ class Disturbed:
             if len(places) == looks:
                 break
             since = self._script.times[i] - settings.begin
-            world.push(min(1.0, since / settings.rise_seconds) * wrench_O)
+            risen = min(1.0, since / settings.rise_seconds)
+            world.push(0.5 * (1 - np.cos(np.pi * risen)) * wrench_O)
             self._servo.command(i)
             mujoco.mj_step(world.model, world.data)
             if i % settings.every != 0:
@@ -272,8 +300,27 @@ class Disturbed:
                 off = corner_error(world.hull, place, self._undisturbed[len(places)])
                 if not off < distance:
                     break
+            elif len(places) < self._first:
+                self._misplaced = max(self._misplaced, self._beside(i))
             places.append(place)
         return places
+
+    def _commanded_O(self, i: int) -> Matrix:
+        """Returns where the fingers [n, 3] should be on the object as it lies [m]."""
+        X_WO = self._world.X_WO
+        places_O: Matrix = (self._servo.commanded(i) - X_WO[:3, 3]) @ X_WO[:3, :3]
+        return places_O
+
+    def _beside(self, i: int) -> float:
+        """Returns how far a finger's spring is from where it was zeroed, at worst [m].
+
+        Fingers in force control have no spring along the normal.
+        """
+        off = (self._commanded_O(i) - self._zeroed_O)[self._touches]
+        normals_O = (self._script.normals[i] @ self._world.X_WO[:3, :3])[self._touches]
+        pushes = (self._script.holds[i] > 0)[self._touches]
+        along = (off * normals_O).sum(axis=1) * ~pushes
+        return float(np.linalg.norm(off - along[:, None] * normals_O, axis=1).max())
 
 
 _WHOLE = int(mujoco.mjtState.mjSTATE_INTEGRATION)

@@ -80,6 +80,11 @@ class Servo:
     def zero_O(self, value: Matrix) -> None:
         self._zero_O = value.copy()
 
+    def commanded(self, i: int) -> Matrix:
+        """Returns the places [n, 3] of the fingertips that moment i asks for [m]."""
+        places: Matrix = self._centers[i] + self._zero_O @ self._R_WO[i].T
+        return places
+
     def command(self, i: int) -> None:
         """Sets the forces of the fingers for moment i."""
         world, script = self._world, self._script
@@ -87,7 +92,7 @@ class Servo:
         if self._may_zero[i]:
             self._zero(i, self._R_WO[i])
         qpos = world.data.qpos[7:].reshape(-1, 7)
-        pull = stiffness * (self._centers[i] + self._zero_O @ self._R_WO[i].T - qpos[:, :3])
+        pull = stiffness * (self.commanded(i) - qpos[:, :3])
         along_normal = (pull * normals).sum(axis=1)
         held = (along_normal + self._normal_forces[i]).clip(-self._limit, self._limit)
         pushed = np.where(script.holds[i] > 0, held, self._normal_forces[i])

@@ -59,9 +59,11 @@ class Builder {
     row.nominal_margin = nominal->margin;
     row.compliant_stability = mechanics::compliant_stability(
         set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
-    row.withstands = mechanics::withstands(set, best.modes, *nominal, options_.compliance,
-                                           {problem_.object.hull(), options_.max_yield},
-                                           options_.disturbance_directions);
+    const mechanics::Promise promise = mechanics::promise(
+        set, best.modes, *nominal, options_.compliance,
+        {problem_.object.hull(), options_.max_yield}, options_.disturbance_directions);
+    row.withstands = promise.withstands;
+    row.place_tolerance = promise.place_tolerance;
     Eigen::Index k = 0;
     for (FingerState& finger : row.fingers) {
       if (!finger.touches) continue;
@@ -103,10 +105,12 @@ class Builder {
     plan.status = Status::solved;
     plan.lower_bound = plan.cost;
     double least = std::numeric_limits<double>::infinity();
-    plan.withstands = least;
+    plan.withstands = plan.place_tolerance = least;
     for (std::size_t s = 0; s < plan.segments.size(); ++s) {
       for (std::size_t r = 0; r < plan.segments[s].rows.size(); ++r) {
-        plan.withstands = std::min(plan.withstands, plan.segments[s].rows[r].withstands);
+        const Row& row = plan.segments[s].rows[r];
+        plan.withstands = std::min(plan.withstands, row.withstands);
+        plan.place_tolerance = std::min(plan.place_tolerance, row.place_tolerance);
         if (plan.segments[s].rows[r].stability >= least) continue;
         least = plan.segments[s].rows[r].stability;
         plan.weakest_segment = static_cast<int>(s);

@@ -63,6 +63,17 @@ TEST_F(FingertipCheck, APlanThatPromisesToWithstandMoreThanItsRows) {
   expect_fault("plan: withstands: ");
 }
 
+TEST_F(FingertipCheck, APromiseOfMorePlaceTolerance) {
+  ASSERT_GT(row(5).place_tolerance, 1e-6);
+  row(5).place_tolerance *= 1.001;
+  expect_fault("row 5: place tolerance: ");
+}
+
+TEST_F(FingertipCheck, APlanThatPromisesMorePlaceToleranceThanItsRows) {
+  plan_.place_tolerance *= 1.001;
+  expect_fault("plan: place tolerance: ");
+}
+
 TEST_F(FingertipCheck, OtherFingersOrToleranceThanPlanned) {
   const std::string fault = "row 1: withstands: ";
   const Options planned = options_;
