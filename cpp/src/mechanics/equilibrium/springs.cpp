@@ -172,8 +172,9 @@ double Spring::tolerates(const Eigen::Vector3d& force_O) const {
 
 double largest_stretch(const Eigen::Matrix3d& of) {
   const Eigen::Matrix3d squares = of.transpose() * of;
-  const double most = squares.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff();
-  return std::sqrt(std::max(0.0, most));
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(squares, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
 Eigen::Vector3d force_at(const Equilibrium& forces, std::size_t i) {
