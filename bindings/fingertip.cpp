@@ -447,7 +447,7 @@ void bind_rows(py::module_& m) {
             "Largest disturbance that the row withstands while fingers are in their places, "
             "by\nmechanics.withstands [N]."},
       Field{"place_tolerance", &Row::place_tolerance,
-            "Largest error of the fingers' places that the row tolerates, by\n"
+            "Error of every finger's place that the row tolerates, by\n"
             "mechanics.place_tolerance [m]."});
 
   m.def("_rows", &from_arrays, py::arg("object_poses"), py::arg("margins"), py::arg("fingers"),
@@ -514,7 +514,7 @@ void bind_plan(py::module_& m) {
   field(
       Field{"withstands", &Plan::withstands, "Largest disturbance that every row withstands [N]."});
   field(Field{"place_tolerance", &Plan::place_tolerance,
-              "Largest error of the fingers' places that every row tolerates [m]."});
+              "Error of every finger's place that every row tolerates [m]."});
   field(Field{"segments", &Plan::segments, "Motions and regrasps, in order."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"weakest_segment", &Plan::weakest_segment,

@@ -583,7 +583,7 @@ void bind_stability(py::module_& m) {
       "Finds the best control modes of many contact sets, each on its own.");
 }
 
-/// Binds a number that fingers as springs promise.
+/// Binds one member of Promise.
 template <double Promise::*kNumber>
 void bind_promise(py::module_& m, const char* name, const std::string& what,
                   const std::string& returns) {
@@ -802,12 +802,13 @@ void bind_equilibrium(py::module_& m) {
       "object.\n\n");
   bind_promise<&Promise::place_tolerance>(
       m, "place_tolerance",
-      "Computes the largest error of the fingers' places that the contacts tolerate.\n\n"
-      "In its place relative to the object, a finger has its nominal force; beside it, its spring\n"
+      "Computes an error of the fingers' places that the contacts tolerate.\n\n"
+      "In its place relative to the object, a finger has its nominal force; out of it, its spring\n"
       "presses or pulls more. With errors of up to e, the contacts still withstand `withstands`\n"
       "(1 - e / `place_tolerance`). Not in the paper; see docs/internals/withstands.md.\n\n",
-      "    Largest distance [m] by which every finger may be beside its place, in any direction,\n"
-      "    without a disturbance. 0 if the springs do not hold the object.\n\n");
+      "    Distance [m] by which every finger may be out of its place, in any direction, without "
+      "a\n"
+      "    disturbance; often more is tolerated. At most 1; 0 if nothing is withstood.\n\n");
 }
 
 void bind_friction_interval(py::module_& m) {

@@ -144,7 +144,7 @@ class Segment(_core.Segment):
 
     @property
     def place_tolerance(self) -> Matrix:
-        """[N] largest error of the fingers' places that each row tolerates [m].
+        """[N] error of every finger's place that each row tolerates [m].
 
         With an error of e, a row withstands `withstands` (1 - e / `place_tolerance`).
         """

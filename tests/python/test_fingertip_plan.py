@@ -239,7 +239,7 @@ def test_report_names_cost_segments_and_the_weakest_step(tumble):
     assert least == min(s.stability.min() for s in tumble.segments if s.name != "regrasp")
     assert f"stability z {least:.3g} N" in text
     assert f"every row withstands {tumble.withstands:.3g} N" in text
-    assert f"they may be {1e6 * tumble.place_tolerance:.3g} um off" in text
+    assert f"up to {1e6 * tumble.place_tolerance:.3g} um out of place" in text
     assert tumble.withstands == min(s.withstands.min() for s in tumble.segments)
     assert tumble.place_tolerance == min(s.place_tolerance.min() for s in tumble.segments)
     assert len(text.splitlines()) < 10

@@ -136,10 +136,14 @@ def _vertices(of: str, limit: float, must: float | None, goal: float | None) -> 
     return Claim(f"vertices within {limit:g} mm", of, holds, must, goal)
 
 
+def _as_promised(case: Row) -> bool | None:
+    """Nothing is asked of a row that promises nothing."""
+    return _ratio("promised_ratio", 1.0)(case) if case.get("promised") else None
+
+
 _LIFTED = _without("fell", "not_grasped", "dropped", "out_of_reach")
 _COMPLIANT = _ratio("compliant_ratio", 1.0)
 _WITHSTOOD = _ratio("withstands_ratio", 1.0)
-_AS_PROMISED = _ratio("promised_ratio", 1.0)
 _CLASPED = _holds_but("open_hand_holds")
 _CLASPED_LOCKED = _holds_but("open_hand_holds", "forced_open")
 _LOST_OPEN = _where_pulled("open_hand_holds")
@@ -242,7 +246,7 @@ CLAIMS: dict[str, list[Claim]] = {
     ],
     "fingertip_withstands": [
         Claim("holds without a disturbance", DISTURBED, lambda case: case["smallest"] != 0),
-        Claim("breaks at the promise or more", DISTURBED, _AS_PROMISED, 0.99),
+        Claim("breaks at the promise or more", DISTURBED, _as_promised, 0.99),
         Claim("breaks at what it withstands or more", DISTURBED, _WITHSTOOD, 0.99),
         Claim("breaks at z or more", DISTURBED, _ratio("ratio", 1.0)),
         Claim("breaks at the compliant index or more", DISTURBED, _COMPLIANT),

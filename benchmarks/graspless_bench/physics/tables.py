@@ -215,6 +215,7 @@ def promises(result: Row) -> Table:
             math.inf if case[ratio] is None else case[ratio]
             for case in cases(result["rows"], DISTURBED)
             if ratio in case  # older files lack some
+            if ratio != "promised_ratio" or case["promised"] > 0
         ]
         for name, ratio in of.items()
     }
@@ -242,17 +243,19 @@ def below(result: Row) -> str:
         0.0 if c["smallest"] is None else c["withstands"] / max(c["smallest"], 1e-12) for c in seen
     ]
     text = (
-        f"{by_law} broke below what the row withstands with fingers in their places (95 %: fewer "
-        f"than {100 * wilson(by_law, len(seen)):.2g} %); the median of that is "
+        f"Of {len(seen)} tests, {by_law} broke below what the row withstands with fingers in place "
+        f"(95 %: fewer than {100 * wilson(by_law, len(seen)):.2g} %); the median of that is "
         f"{np.median(shares):.2g} of what breaks it"
     )
     if "promised" not in seen[0]:  # older files lack it
-        return f"Of {len(seen)} tests, {text}"
-    over, nothing = _broke_below(seen, "promised_ratio"), sum(not c["promised"] > 0 for c in seen)
+        return text
+    promising = [c for c in seen if c["promised"] > 0]
+    over = _broke_below(promising, "promised_ratio")
+    bound = 100 * wilson(over, max(len(promising), 1))
     return (
-        f"{over} of {len(seen)} tests broke below the promise (95 %: fewer than "
-        f"{100 * wilson(over, len(seen)):.2g} %). {nothing} had none, as fingers were farther "
-        f"beside their places than the row tolerates. {text}"
+        f"{text}. Of {len(promising)} tests with a promise, {over} broke below it (95 %: fewer "
+        f"than {bound:.2g} %); in {len(seen) - len(promising)}, the fingers' springs were bent by "
+        "more than the row tolerates"
     )
 
 

@@ -684,7 +684,7 @@ class Row:
     @property
     def place_tolerance(self) -> float:
         """
-        Largest error of the fingers' places that the row tolerates, by
+        Error of every finger's place that the row tolerates, by
         mechanics.place_tolerance [m].
         """
     @place_tolerance.setter
@@ -943,7 +943,7 @@ class Plan:
     @property
     def place_tolerance(self) -> float:
         """
-        Largest error of the fingers' places that every row tolerates [m].
+        Error of every finger's place that every row tolerates [m].
         """
     @place_tolerance.setter
     def place_tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

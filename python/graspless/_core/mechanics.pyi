@@ -966,9 +966,9 @@ def normalized(set: ContactSet) -> ContactSet:
     """
 def place_tolerance(set: ContactSet, modes: collections.abc.Sequence[FingerMode], nominal: Equilibrium, compliance: Compliance = ..., *, points_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> float:
     """
-    Computes the largest error of the fingers' places that the contacts tolerate.
+    Computes an error of the fingers' places that the contacts tolerate.
     
-    In its place relative to the object, a finger has its nominal force; beside it, its spring
+    In its place relative to the object, a finger has its nominal force; out of it, its spring
     presses or pulls more. With errors of up to e, the contacts still withstand `withstands`
     (1 - e / `place_tolerance`). Not in the paper; see docs/internals/withstands.md.
     
@@ -994,8 +994,8 @@ def place_tolerance(set: ContactSet, modes: collections.abc.Sequence[FingerMode]
     Returns
     -------
     float
-        Largest distance [m] by which every finger may be beside its place, in any direction,
-        without a disturbance. 0 if the springs do not hold the object.
+        Distance [m] by which every finger may be out of its place, in any direction, without a
+        disturbance; often more is tolerated. At most 1; 0 if nothing is withstood.
     
     Raises
     ------

@@ -80,7 +80,7 @@ class Segment(Table):
         description="[N] largest disturbance that each row withstands, fingers in their places [N]"
     )
     place_tolerance: list[float] = Field(
-        description="[N] largest error of the fingers' places that each row tolerates [m]"
+        description="[N] error of every finger's place that each row tolerates [m]"
     )
 
     def check(self, where: str, fingers: int) -> None:
@@ -186,7 +186,7 @@ class FingertipPlanFile(PlanFields):
     )
     place_tolerance: float | None = Field(
         default=None,
-        description="largest error of the fingers' places that every row tolerates [m]; null "
+        description="error of every finger's place that every row tolerates [m]; null "
         "unless solved",
     )
     weakest: Weakest | None = Field(default=None, description="row of least stability")

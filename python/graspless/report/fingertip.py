@@ -60,7 +60,7 @@ def lines(plan: Plan) -> list[str]:
     found += [_segment_line(segment) for segment in plan.segments]
     found += [_joint_line(segment) for segment in plan.joint_segments]
     if plan.weakest is not None:
-        assert plan.withstands is not None  # as it is solved, like the next
+        assert plan.withstands is not None  # both are set once a plan is solved
         assert plan.place_tolerance is not None
         k, row = plan.weakest
         weak = plan.segments[k]
@@ -73,7 +73,8 @@ def lines(plan: Plan) -> list[str]:
         )
         found.append(
             f"every row withstands {plan.withstands:.3g} N in any direction with the fingers in "
-            f"their places; without a push, they may be {1e6 * plan.place_tolerance:.3g} um off"
+            f"place; without a push, each may be up to {1e6 * plan.place_tolerance:.3g} um out of "
+            "place"
         )
     return found
 

@@ -84,7 +84,7 @@ struct Row {
   /// mechanics::withstands [N]. At the first and the last row of a segment it is less what gravity
   /// changes in O up to the segment's end, where nominal forces stay as they are.
   double withstands = 0;
-  /// Largest error of the fingers' places that the row tolerates without a disturbance, see
+  /// Error of every finger's place that the row tolerates without a disturbance, see
   /// mechanics::Promise [m]. With an error of e it withstands
   /// withstands (1 - e / place_tolerance). Less at the ends of a segment, as withstands is.
   double place_tolerance = 0;

@@ -42,12 +42,14 @@ GRASPLESS_API double withstands(const ContactSet& set, const std::vector<FingerM
 /// Numbers that fingers as springs promise.
 struct Promise {
   double withstands = 0;  ///< withstands() [N]
-  /// Largest e [m] such that the same conditions hold without a disturbance while every finger is
-  /// beside its place, relative to the object, by up to e in any direction. In its place, a finger
-  /// has its nominal force; beside it, its spring presses or pulls more. With errors of up to e,
-  /// the contacts still withstand `withstands` (1 - e / place_tolerance): the conditions are convex
-  /// in disturbance and errors together. Infinite if no error matters.
+  /// The same conditions hold without a disturbance while every finger is out of its place,
+  /// relative to the object, by up to this distance in any direction [m]; often by more, as the
+  /// worst changes of all forces are taken to come together. In its place, a finger has its nominal
+  /// force; out of it, its spring presses or pulls more. With errors of up to e, the contacts still
+  /// withstand `withstands` (1 - e / place_tolerance): the conditions are convex in disturbance and
+  /// errors together. kAnyPlace at most; 0 if `withstands` is 0.
   double place_tolerance = 0;
+  static constexpr double kAnyPlace = 1;  ///< no error matters [m]
 };
 
 /// Both numbers. Arguments and exceptions are those of withstands().

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRoundStability = 1e-7;   // relative, of stabilities
 constexpr double kRoundWithstands = 1e-6;  // relative, of what springs withstand
-constexpr double kRoundPlace = 1e-12;      // [m]
+constexpr double kRoundPlace = 1e-9;       // [m]
 
 bool differs(double a, double b) {
   return !(std::abs(a - b) <= kRoundStability * std::max(1.0, b));
@@ -210,8 +210,8 @@ void Examination::check_withstands(std::size_t s, std::size_t r, const Instant& 
   if (!(std::abs(row.withstands - left) <= kRoundWithstands * std::max(1.0, left))) {
     fault(place(s, r), "withstands: " + figure(left) + ", promised " + figure(row.withstands));
   }
-  if (!(std::abs(row.place_tolerance - holds.place_tolerance) <=
-        kRoundWithstands * holds.place_tolerance + kRoundPlace)) {
+  if (!(row.place_tolerance >= 0 &&
+        row.place_tolerance <= holds.place_tolerance * (1 + kRoundWithstands) + kRoundPlace)) {
     fault(place(s, r), "place tolerance: " + figure(holds.place_tolerance) + ", promised " +
                            figure(row.place_tolerance));
   }

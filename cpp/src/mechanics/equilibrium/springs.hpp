@@ -23,8 +23,9 @@ struct Spring {
   double within_cone(const Eigen::Vector3d& force_O) const;
   /// Largest t at which force + t change stays below max_normal, for every change.
   double within_limit(const Eigen::Vector3d& force_O) const;
-  /// Largest e at which both hold for all errors of length e [m], if every three columns of
-  /// `changes` are those of one finger's error.
+  /// An e at which both hold for all errors of length e [m], if every three columns of `changes`
+  /// are those of one finger's error. Not the largest: the worst changes are taken to come
+  /// together.
   double tolerates(const Eigen::Vector3d& force_O) const;
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 };

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -202,7 +201,8 @@ Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
   validate_all(set, modes, nominal, compliance, yield, directions);
   const Law law(set, modes, nominal, yield, directions);
   const Holding found = holding(law, set, compliance);
-  double e = std::numeric_limits<double>::infinity();
+  if (!(found.disturbance > 0)) return {};
+  double e = Promise::kAnyPlace;
   for (const Compliance& springs : found.springs) e = std::min(e, law.tolerates(springs));
   return {found.disturbance, e};
 }

@@ -48,8 +48,8 @@ class Breaking:
     undisturbed : float
         How far a corner was from its planned place without any wrench, at worst [m].
     misplaced : float
-        How far a finger was beside its place on the object without any wrench, at worst, since the
-        places were zeroed [m].
+        How far a finger's spring was bent without any wrench, at worst, since the places were
+        zeroed [m]: by errors of its place on the object, and by the object's own motion.
     stability, compliant_stability, withstands : float
         What the plan says of the row [N].
     place_tolerance : float
@@ -189,6 +189,7 @@ class Disturbed:
         moments = range(self._start, round(settings.until / self._world.model.opt.timestep))
         self._first = sum(i % settings.every == 0 for i in moments)  # looks of the test proper
         self._touches = segment.touches[row]
+        self._zeroed_O = np.zeros_like(self._script.centers[0])
         self._state = self._settled()
         self._misplaced = 0.0
         self._undisturbed = self._run(np.zeros(6))
@@ -205,7 +206,7 @@ class Disturbed:
 
     @property
     def misplaced(self) -> float:
-        """Returns the largest error of a finger's place on the object without any wrench [m]."""
+        """Returns how far a finger's spring was bent without any wrench, at worst [m]."""
         return self._misplaced
 
     def wrench_O(self, direction: int) -> Matrix:
@@ -318,8 +319,8 @@ class Disturbed:
         """
         off = (self._commanded_O(i) - self._zeroed_O)[self._touches]
         normals_O = (self._script.normals[i] @ self._world.X_WO[:3, :3])[self._touches]
-        pushes = (self._script.holds[i] > 0)[self._touches]
-        along = (off * normals_O).sum(axis=1) * ~pushes
+        holds = (self._script.holds[i] > 0)[self._touches]
+        along = (off * normals_O).sum(axis=1) * ~holds
         return float(np.linalg.norm(off - along[:, None] * normals_O, axis=1).max())
 
 
