@@ -583,10 +583,9 @@ void bind_stability(py::module_& m) {
       "Finds the best control modes of many contact sets, each on its own.");
 }
 
-/// Binds one member of Promise.
-template <double Promise::*kNumber>
-void bind_promise(py::module_& m, const char* name, const std::string& what,
-                  const std::string& returns) {
+/// Binds a number that fingers as springs promise.
+void bind_promise(py::module_& m, const char* name, decltype(&withstands) number,
+                  const std::string& what, const std::string& returns) {
   const std::string doc =
       what +
       "Parameters\n"
@@ -620,16 +619,16 @@ void bind_promise(py::module_& m, const char* name, const std::string& what,
       "    invalid.";
   m.def(
       name,
-      [](const ContactSet& set, const std::vector<FingerMode>& modes, const Equilibrium& nominal,
-         const Compliance& compliance, const MaybeArray& points_O, double max_yield,
-         const MaybeArray& directions) {
+      [number](const ContactSet& set, const std::vector<FingerMode>& modes,
+               const Equilibrium& nominal, const Compliance& compliance, const MaybeArray& points_O,
+               double max_yield, const MaybeArray& directions) {
         const ContactSet unit = with_unit_normals(set);
         const Matrix6Xd l = to_directions(directions);
         const Compliance springs = compliance;
         Yield yield;
         if (points_O) yield = {to_points3(*points_O, "points_O"), max_yield};
         const py::gil_scoped_release release;
-        return promise(unit, modes, nominal, springs, yield, l).*kNumber;
+        return number(unit, modes, nominal, springs, yield, l);
       },
       py::arg("set"), py::arg("modes"), py::arg("nominal"),
       py::arg_v("compliance", Compliance{}, "Compliance()"), py::kw_only(),
@@ -791,8 +790,8 @@ void bind_equilibrium(py::module_& m) {
       "ValueError\n"
       "    The contact set, the modes, the nominal forces, the stiffness or the directions are "
       "invalid.");
-  bind_promise<&Promise::withstands>(
-      m, "withstands",
+  bind_promise(
+      m, "withstands", &withstands,
       "Computes the largest disturbance that the contacts withstand.\n\n"
       "Fingers are springs about their nominal forces, so they cannot choose how to share a\n"
       "disturbance. The environment sticks, or its friction gives way. Fingers are in their "
@@ -800,8 +799,8 @@ void bind_equilibrium(py::module_& m) {
       "see `place_tolerance`. Not in the paper; see docs/internals/withstands.md.\n\n",
       "    Largest disturbance [N] in every direction. 0 if the springs do not hold the "
       "object.\n\n");
-  bind_promise<&Promise::place_tolerance>(
-      m, "place_tolerance",
+  bind_promise(
+      m, "place_tolerance", [](const auto&... given) { return promise(given...).place_tolerance; },
       "Computes an error of the fingers' places that the contacts tolerate.\n\n"
       "In its place relative to the object, a finger has its nominal force; out of it, its spring\n"
       "presses or pulls more. With errors of up to e, the contacts still withstand `withstands`\n"

@@ -1,13 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writing files whole or not at all."""
+"""Writing files and folders whole or not at all."""
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .errors import TaskError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 
 def check_writable(path: str | Path) -> None:
@@ -78,3 +83,29 @@ def write(path: str | Path, content: str | bytes) -> None:
             raise
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+@contextlib.contextmanager
+def beside(path: str | Path) -> Iterator[Path]:
+    """Gives a new folder beside `path`, gone at the end; an OSError becomes a TaskError."""
+    import tempfile  # is not needed to write a plan
+
+    path = Path(path)
+    try:
+        with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
+            yield Path(place)
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+@contextlib.contextmanager
+def new_folder(path: str | Path) -> Iterator[Path]:
+    """Gives the path of a folder to be made, which becomes `path` at the end; raises TaskError."""
+    import shutil
+
+    path = Path(path)
+    if path.exists():
+        raise TaskError(f"{path}: cannot be written: it exists already; should be a new folder")
+    with beside(path) as place:
+        yield place / path.name
+        shutil.move(place / path.name, path)

@@ -237,8 +237,9 @@ def test_promises_against_what_broke():
     def broken(*ratios):
         found = [
             {"z": 2.0, "ratio": ratio, "compliant_ratio": ratio, "withstands": 1.0,
-             "withstands_ratio": ratio, "smallest": ratio, "promised": 0.5 * (ratio != 1.3),
-             "promised_ratio": ratio and 2 * ratio}
+             "withstands_ratio": ratio, "smallest": ratio}
+            | ({"promised": 0.0} if ratio == 1.3
+               else {"promised": 0.5, "promised_ratio": ratio and 2 * ratio})
             for ratio in ratios
         ]  # fmt: skip
         return rows_of(disturbed=found)

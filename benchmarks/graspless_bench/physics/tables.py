@@ -214,8 +214,7 @@ def promises(result: Row) -> Table:
         name: [
             math.inf if case[ratio] is None else case[ratio]
             for case in cases(result["rows"], DISTURBED)
-            if ratio in case  # older files lack some
-            if ratio != "promised_ratio" or case["promised"] > 0
+            if ratio in case  # rows that promise nothing, and older files, lack some
         ]
         for name, ratio in of.items()
     }
@@ -249,7 +248,7 @@ def below(result: Row) -> str:
     )
     if "promised" not in seen[0]:  # older files lack it
         return text
-    promising = [c for c in seen if c["promised"] > 0]
+    promising = [c for c in seen if "promised_ratio" in c]
     over = _broke_below(promising, "promised_ratio")
     bound = 100 * wilson(over, max(len(promising), 1))
     return (

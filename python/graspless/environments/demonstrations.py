@@ -5,8 +5,6 @@
 from __future__ import annotations
 
 import json
-import shutil
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -99,12 +97,8 @@ def demonstrate(
             raise TaskError(f"{name}: {_MISSES} episodes in a row did not hold")
         if progress is not None:
             progress(len(kept), tried)
-    try:
-        with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as place:
-            _write(env, kept, SENTENCES[name], Path(place) / folder.name)
-            shutil.move(Path(place) / folder.name, folder)
-    except OSError as error:
-        raise TaskError(f"{folder}: cannot be written: {error.strerror}") from None
+    with files.new_folder(folder) as made:
+        _write(env, kept, SENTENCES[name], made)
     return tried
 
 

@@ -8,15 +8,11 @@ Drake itself is not needed to write it.
 from __future__ import annotations
 
 import json
-import shutil
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames
-from ..errors import TaskError
+from .. import files, frames
 from ..timing.trajectory import stages_of
 from .drake_robot import ROOT, Meshes, fingers_urdf, robot_urdf
 from .drake_sdf import model_sdf
@@ -26,6 +22,8 @@ from .numbers import plain
 from .things import things
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from numpy.typing import NDArray
 
     from ..frames import Matrix
@@ -37,17 +35,9 @@ SURROUNDINGS = "surroundings"
 
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes a new folder, whole or not at all."""
-    path = Path(path)
-    if path.exists():
-        raise TaskError(f"{path}: cannot be written: it exists already; should be a new folder")
-    try:
-        with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
-            folder = Path(place) / path.name
-            folder.mkdir()
-            _write_folder(trajectory, folder)
-            shutil.move(folder, path)
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+    with files.new_folder(path) as folder:
+        folder.mkdir()
+        _write_folder(trajectory, folder)
 
 
 def _write_folder(trajectory: Trajectory, folder: Path) -> None:

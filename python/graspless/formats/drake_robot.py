@@ -29,28 +29,21 @@ _REACH = 10.0  # of a bare fingertip from the origin [m]
 
 
 class Meshes:
-    """Meshes of a folder, as OBJ files.
-
-    Attributes
-    ----------
-    files : dict
-        Their content by name.
-    """
+    """Meshes of a folder, as OBJ files."""
 
     def __init__(self) -> None:
-        self.files: dict[str, str] = {}
+        self._names: dict[str, str] = {}  # by content
+
+    @property
+    def files(self) -> dict[str, str]:
+        """Content of the files by name."""
+        return {name: content for content, name in self._names.items()}
 
     def add(self, vertices: ArrayLike, triangles: ArrayLike) -> str:
         """Adds a mesh, if it is new, and returns the name of its file."""
         lines = [f"v {numbers(p)}\n" for p in np.asarray(vertices)]
         lines += ["f {} {} {}\n".format(*t) for t in np.asarray(triangles) + 1]
-        content = "".join(lines)
-        for name, known in self.files.items():
-            if known == content:
-                return name
-        name = f"meshes/{len(self.files)}.obj"
-        self.files[name] = content
-        return name
+        return self._names.setdefault("".join(lines), f"meshes/{len(self._names)}.obj")
 
 
 def robot_urdf(robot: Robot, fields: RobotFields, meshes: Meshes) -> str:

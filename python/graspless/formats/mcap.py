@@ -9,8 +9,6 @@ it does. Times are from 0.
 
 from __future__ import annotations
 
-import shutil
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +17,6 @@ from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 from .. import files, frames
-from ..errors import TaskError
 from .fingers import contacts
 from .ros import seconds
 
@@ -34,18 +31,13 @@ WORLD = "world"  # frame_id of poses
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes one file if the path ends in .mcap, else a new folder with its metadata."""
     path = Path(path)
-    if path.suffix != ".mcap" and path.exists():
-        raise TaskError(f"{path}: cannot be written: it exists already; a bag must be a new folder")
-    try:
-        with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
-            bag = Path(place) / (path.stem if path.suffix == ".mcap" else path.name)
+    if path.suffix != ".mcap":
+        with files.new_folder(path) as bag:
             _write_bag(trajectory, bag)
-            if path.suffix == ".mcap":
-                files.write(path, next(bag.glob("*.mcap")).read_bytes())
-            else:
-                shutil.move(bag, path)
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+        return
+    with files.beside(path) as place:
+        _write_bag(trajectory, place / path.stem)
+        files.write(path, next(place.glob("*/*.mcap")).read_bytes())
 
 
 def _write_bag(trajectory: Trajectory, bag: Path) -> None:

@@ -22,6 +22,11 @@ else:
     Status = Literal[tuple(fingertip.Status.__members__)]
 
 
+_MARGINS = (
+    "stability", "compliant_stability", "nominal_margin", "withstands", "place_tolerance",
+)  # fmt: skip
+
+
 def _segment(**columns: Any) -> fingertip.Segment:
     """Returns a segment from its columns: of each row, and in it of each finger."""
     given = columns["fingers"]
@@ -33,17 +38,8 @@ def _segment(**columns: Any) -> fingertip.Segment:
         numbers[..., 7] = np.array(columns["modes"]) == "force"
         numbers[..., 8] = columns["commanded_forces"]
         numbers[..., 9:] = columns["nominal_forces"]
-    margins = [
-        columns[name]
-        for name in (
-            "stability",
-            "compliant_stability",
-            "nominal_margin",
-            "withstands",
-            "place_tolerance",
-        )
-    ]
-    rows = core_rows(columns["object_poses"], np.transpose(margins), numbers)
+    margins = np.transpose([columns[name] for name in _MARGINS])
+    rows = core_rows(columns["object_poses"], margins, numbers)
     return fingertip.Segment(columns["name"], columns["X_WO"], rows, columns["finger"])
 
 
@@ -87,8 +83,7 @@ class Segment(Table):
         """Raises unless there is one of everything a row, and one a finger in each."""
         rows = len(self.object_poses)
         of_rows = (
-            "fingers", "normals", "modes", "commanded_forces", "nominal_forces",
-            "stability", "compliant_stability", "nominal_margin", "withstands", "place_tolerance",
+            "fingers", "normals", "modes", "commanded_forces", "nominal_forces", *_MARGINS,
         )  # fmt: skip
         for field in of_rows:
             values = getattr(self, field)

@@ -26,6 +26,7 @@ from ..plan_files import read_plan
 from ..tasks import task_from_dict
 from ..tasks.source import parse_yaml
 from ..timing.squeeze import squeezed
+from ..timing.trajectory import stages_of
 from .jobs import CheckJob, Found, PickJob, TaskJob
 
 if TYPE_CHECKING:
@@ -185,7 +186,7 @@ def _finished(
     found.status, found.reason, found.kind = str(plan.status), plan.reason, plan.kind
     found.plan = plan.to_json()
     found.margins = margins_of(plan)
-    for stage in getattr(plan, "stages", [plan]):
+    for stage in stages_of(plan):
         found.warnings += [str(text) for text in getattr(stage, "warnings", [])]
     if not plan:
         return found

@@ -5,7 +5,6 @@
 #include "mechanics/equilibrium/support.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -91,16 +90,23 @@ void Support::find_facets(const ContactSet& set) {
 }
 
 /// The forces f_1 and f_2 across the edge follow from the wrench; along it, only their sum does.
-/// They may share it as they like: |f_1 + f_2 along| <= the sum of what the two cones have left.
-bool Support::edge_supplies(const Vector6d& w) const {
+std::array<Vector3d, 2> Support::across_edge(const Vector6d& w) const {
   const Vector3d force = w.head<3>();
   const Vector3d moment = w.tail<3>() - first_.cross(force);
   const Vector3d unit = along_.normalized();
   const Vector3d second = moment.cross(along_) / along_.squaredNorm();
   const Vector3d across = force - unit.dot(force) * unit;
+  return {across - second, second};
+}
+
+/// Both may share the force along the edge as they like: |f_1 + f_2 along| <= the sum of what the
+/// two cones have left.
+bool Support::edge_supplies(const Vector6d& w) const {
+  const Vector3d force = w.head<3>();
+  const Vector3d moment = w.tail<3>() - first_.cross(force);
   const double round = kRound * (force.norm() + moment.norm() / along_.norm());
-  double room = round - std::abs(unit.dot(force));
-  for (const Vector3d& f : {Vector3d(across - second), second}) {
+  double room = round - std::abs(along_.normalized().dot(force));
+  for (const Vector3d& f : across_edge(w)) {
     const double normal = n_.dot(f), most = friction_ * normal + round;
     const double slips = (f - normal * n_).norm();
     if (normal < -round || slips > most) return false;
@@ -112,13 +118,6 @@ bool Support::edge_supplies(const Vector6d& w) const {
 /// Each end's force, and the force along the edge, may change by what all errors change it at most.
 double Support::edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) const {
   const Vector3d unit = along_.normalized();
-  const Vector3d over = along_ / along_.squaredNorm();
-  // Across the edge, at its first and its second end.
-  const auto across = [&](const Vector6d& of, bool at_second) -> Vector3d {
-    const Vector3d force = of.head<3>();
-    const Vector3d second = (of.tail<3>() - first_.cross(force)).cross(over);
-    return at_second ? second : Vector3d(force - unit.dot(force) * unit - second);
-  };
   struct End {
     double normal, slips, normal_per_error = 0, slips_per_error = 0;
   };
@@ -126,27 +125,28 @@ double Support::edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) cons
   std::array<End, 2> ends{};
   for (std::size_t i = 0; i < 2; ++i) {
     End& end = ends[i];
-    const Vector3d f = across(w, i == 1);
+    const Vector3d f = across_edge(w)[i];
     end.normal = n_.dot(f);
     end.slips = (f - end.normal * n_).norm();
     for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
       Eigen::Matrix3d of;
-      for (int axis = 0; axis < 3; ++axis) of.col(axis) = across(changes.col(k + axis), i == 1);
+      for (int axis = 0; axis < 3; ++axis) of.col(axis) = across_edge(changes.col(k + axis))[i];
       end.normal_per_error += (n_.transpose() * of).norm();
       end.slips_per_error += largest_stretch(of - n_ * (n_.transpose() * of));
-      if (i == 0)
-        along_per_error += (unit.transpose() * changes.middleRows<3>(0).middleCols<3>(k)).norm();
     }
     const double room = std::max(0.0, friction_ * end.normal - end.slips);
     const double per_error = end.slips_per_error + friction_ * end.normal_per_error;
     if (per_error > 0) most = std::min(most, room / per_error);
   }
+  for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
+    along_per_error += (unit.transpose() * changes.block<3, 3>(0, k)).norm();
+  }
   const auto left = [&](double e) {  // of the friction along the edge
     double sum = -std::abs(unit.dot(w.head<3>())) - e * along_per_error;
     for (const End& end : ends) {
-      const double normal = friction_ * (end.normal - e * end.normal_per_error);
+      const double held = friction_ * (end.normal - e * end.normal_per_error);
       const double slips = end.slips + e * end.slips_per_error;
-      sum += std::sqrt(std::max(0.0, normal * normal - slips * slips));
+      sum += std::sqrt(std::max(0.0, held * held - slips * slips));
     }
     return sum;
   };

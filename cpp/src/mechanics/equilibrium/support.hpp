@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "graspless/mechanics/contact.hpp"
@@ -26,6 +27,7 @@ class Support {
 
  private:
   void find_facets(const ContactSet& set);
+  std::array<Eigen::Vector3d, 2> across_edge(const Vector6d& w) const;
   bool edge_supplies(const Vector6d& w) const;
   double edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) const;
 

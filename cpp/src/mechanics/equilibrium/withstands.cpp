@@ -72,25 +72,20 @@ class Law {
     return within_support(found->springs, t);
   }
 
-  /// Largest e such that all conditions hold, with these springs and without a disturbance, while
-  /// every finger is beside its place by e at most, in any direction.
+  /// An e such that all conditions hold, with these springs and without a disturbance, while every
+  /// finger is out of its place by e at most, in any direction.
   double tolerates(const Compliance& compliance) const {
     const auto found = misplaced(set_, modes_, compliance);
     if (!found) return 0;
     double e = within_yield_by_errors(found->moved);
-    const std::size_t contacts = set_.contacts.size();
-    for (std::size_t i = 0; i < found->springs.size(); ++i) {
-      if (i < contacts && support_.is_closed_form()) continue;
+    const bool is_closed = support_.is_closed_form();
+    for (std::size_t i = is_closed ? set_.contacts.size() : 0; i < found->springs.size(); ++i) {
       e = std::min(e, found->springs[i].tolerates(force_at(nominal_, i)));
     }
-    if (!support_.is_closed_form()) return e;
-    Matrix6Xd changes =
-        Matrix6Xd::Zero(6, found->moved.cols());  // of what the environment supplies
-    for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
-      for (Eigen::Index k = 0; k < changes.cols(); ++k) {
-        changes.col(k) -=
-            wrench_at(set_, set_.fingers[j].p_OC, found->springs[contacts + j].changes.col(k));
-      }
+    if (!is_closed) return e;
+    Matrix6Xd changes(6, found->moved.cols());  // of what the environment supplies
+    for (Eigen::Index k = 0; k < changes.cols(); ++k) {
+      changes.col(k) = rest(Vector6d::Zero(), found->springs, k);
     }
     return std::min(e, support_.tolerates(supplied_, changes));
   }
@@ -127,15 +122,19 @@ class Law {
   }
 
   double within_support(const std::vector<Spring>& springs, double t) const {
-    const std::size_t contacts = set_.contacts.size();
     for (Eigen::Index d = 0; d < demands_.cols() && t > 0; ++d) {
-      Vector6d change = demands_.col(d);
-      for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
-        change -= wrench_at(set_, set_.fingers[j].p_OC, springs[contacts + j].changes.col(d));
-      }
-      t = support_.within(supplied_, change, t);
+      t = support_.within(supplied_, rest(demands_.col(d), springs, d), t);
     }
     return t;
+  }
+
+  /// What is left of a wrench beside what the fingers supply by change k of their forces.
+  Vector6d rest(Vector6d wrench, const std::vector<Spring>& springs, Eigen::Index k) const {
+    for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
+      const Spring& spring = springs[set_.contacts.size() + j];
+      wrench -= wrench_at(set_, set_.fingers[j].p_OC, spring.changes.col(k));
+    }
+    return wrench;
   }
 
   const ContactSet& set_;

@@ -77,10 +77,12 @@ class Breaking:
         return self.withstands * max(0.0, 1 - self.misplaced / self.place_tolerance)
 
     def as_dict(self) -> dict[str, Any]:
-        """Returns all values and ratios by name; None if nothing broke the motion."""
+        """Returns all values and ratios by name; None if nothing broke the motion.
+
+        There is a `promised_ratio` only where something is promised.
+        """
         z, compliant = self.stability, max(self.compliant_stability, 1e-12)
-        promised = max(self.promised, 1e-12)
-        return {
+        found = {
             "segment": self.segment,
             "row": self.row,
             "smallest": _finite(self.smallest),
@@ -98,8 +100,10 @@ class Breaking:
             "lost_ratio": _finite(self.lost / z),
             "compliant_ratio": _finite(self.smallest / compliant),
             "withstands_ratio": _finite(self.smallest / max(self.withstands, 1e-12)),
-            "promised_ratio": _finite(self.smallest / promised),
         }
+        if self.promised > 0:
+            found["promised_ratio"] = _finite(self.smallest / self.promised)
+        return found
 
 
 def _finite(value: float) -> float | None:
