@@ -11,6 +11,7 @@ import graspless
 from graspless import check, frames, geometry, perception, picking
 from graspless.cli import main
 from graspless.errors import TaskError
+from graspless.picking.measured import doubt
 from graspless.picking.strategies import chain_of, top_share, unseen_share
 from graspless.picking.wish import wish_of
 
@@ -204,6 +205,64 @@ def test_a_hollow_object_is_not_slid(scene, names):
     ring = np.asarray(wish.thing.outline)
     rim = np.column_stack([ring, np.full(len(ring), wish.thing.thickness)])
     assert top_share(_with_points(wish, rim)) < 0.5
+
+
+def _wish(scene, name):
+    return wish_of(scene, name, "wam_t42", lift=0.1, respect="objects", mass=None)
+
+
+def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
+    wish = _wish(scene, names["card"])
+    plan = graspless.pick(scene, names["card"], "wam_t42").plan
+    assert doubt(plan, wish) == ""
+    stage = plan.stages[0]
+    robot, hand = stage.task.problem.robot, stage.task.problem.hand
+    slide = next(segment for segment in stage.segments if segment.name == "slide")
+    for frame, segment, row, lower, what in (
+        (hand.fingertip, slide, 0, 0.0045, "where the finger presses, it is 2 mm high, its top 6"),
+        (hand.grasp_frame, stage.segments[-1], -1, 0.0065, "where the hand closes, it is -0 mm"),
+    ):
+        X_WF = robot.pose(robot.frame(frame), segment.positions[row])
+        place = (np.linalg.inv(segment.object_poses[row]) @ X_WF)[:2, 3]
+        points = np.array(wish.thing.points)
+        points[:, 2] = wish.thing.thickness
+        near = np.linalg.norm(points[:, :2] - place, axis=1) < 0.02
+        points[near, 2] -= lower
+        assert doubt(plan, _with_points(wish, points)).startswith(what)
+        points[near, 2] += 0.002
+        assert doubt(plan, _with_points(wish, points)) == ""
+        unseen = doubt(plan, _with_points(wish, points[~near]))
+        assert unseen == f"nobody saw the top {what.split(',')[0]}"
+
+
+def test_a_pinch_needs_something_between_its_fingers(scene, names):
+    wish = _wish(scene, names["bar"])
+    plan = graspless.pick(scene, names["bar"], "wam_t42").plan
+    assert doubt(plan, wish) == ""
+    flat = np.array(wish.thing.points)
+    flat[:, 2] = 0.005
+    assert "over the support, where the object is 5 mm high" in doubt(
+        plan, _with_points(wish, flat)
+    )
+    assert "nobody saw the top" in doubt(plan, _with_points(wish, flat[:2]))
+
+
+def test_a_spoon_is_not_pinched_above_its_handle():
+    shapes = [
+        geometry.PlacedShape(geometry.Box(size), frames.translation(place))
+        for size, place in (([0.14, 0.02, 0.005], [0, 0, 0.0025]), ([0.03, 0.03, 0.022], [0.08, 0, 0.011]))
+    ]  # fmt: skip
+    bodies = [
+        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
+        body([6, 6, 0.02], 0.65, 0.0, -0.75),
+        perception.Body(shapes, frames.planar(0.6, 0.05, 0.4)),
+    ]
+    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
+    seen = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    found = graspless.pick(seen, seen.objects[0].name, "wam_t42", strategies=["pinch"])
+    assert not found
+    assert found.attempts[0].status == "refused"
+    assert "over the support, where the object is 5 mm high" in found.attempts[0].reason
 
 
 def _with_points(wish, points):

@@ -13,6 +13,7 @@ from .._arguments import require_integer
 from ..errors import OutOfTimeError, TaskError
 from ..report import least_seconds
 from ..tasks import task_from_dict
+from .measured import doubt
 from .result import FAULTY, NOT_TRIED, REFUSED, Attempt, Pick
 from .strategies import STRATEGIES, chain_of, explained, refusal, require_strategies
 from .wish import wish_of
@@ -25,6 +26,10 @@ if TYPE_CHECKING:
     from ..perception import Scene
     from ..tasks.scenes import Respect
     from .wish import Wish
+
+# Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
+SEEDS = {"pinch": 1, "slide": 8, "clasp": 1}
+APART = 2**32  # between their seeds: those of `best_of` follow each other
 
 
 def pick(
@@ -117,9 +122,7 @@ def _attempt(
         if attempt.reason:
             attempt.status = REFUSED
             return None
-        document = chain_of(attempt.strategy, wish, seed, seconds)
-        task = task_from_dict(document, attempt.strategy, resolve=True)
-        plan: Plan = plan_since(task, began)
+        plan, doubted = _measured_plan(attempt.strategy, wish, seed, seconds)
         faults = check(plan) if plan else []
     except OutOfTimeError as error:
         attempt.status, attempt.reason = "out_of_time", str(error)
@@ -135,10 +138,31 @@ def _attempt(
         attempt.opening = float(first.opening)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
+    if doubted:
+        attempt.status, attempt.reason = REFUSED, doubted
+        return None
     if faults:
         attempt.status, attempt.reason = FAULTY, faults[0]
         return None
     return plan if plan else None
+
+
+def _measured_plan(strategy: str, wish: Wish, seed: int, seconds: float) -> tuple[Plan, str]:
+    """Plans a strategy, and with other seeds while heights that were measured speak against it.
+
+    Returns the plan and what speaks against the last one, if anything does.
+    """
+    began = time.monotonic()
+    for k in range(SEEDS[strategy]):
+        left = seconds - (time.monotonic() - began)
+        if k > 0 and left <= 0:
+            break
+        document = chain_of(strategy, wish, (seed + k * APART) % 2**64, left)
+        plan: Plan = plan_since(task_from_dict(document, strategy, resolve=True), time.monotonic())
+        doubted = doubt(plan, wish) if plan else ""
+        if not doubted:
+            break
+    return plan, doubted
 
 
 def _require_usable(found: Pick) -> None:
