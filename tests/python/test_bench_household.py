@@ -21,7 +21,10 @@ def folder(tmp_path):
 
 def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
     out = folder / "out"
+    excluded = folder / "excluded.yaml"
+    excluded.write_text("crate: too large\nnone: not in the folder\n")
     asked = ["bench", "household", str(folder), "--poses", "1", "--out", str(out), "--json"]
+    asked += ["--excluded", str(excluded)]
     assert main(asked) == 0
     result = json.loads(capsys.readouterr().out)
     rows = {row["mesh"]: row for row in result["rows"]}
@@ -29,11 +32,15 @@ def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
     assert rows["bar"]["strategy"] == "pinch"
     assert rows["crate"]["stage"] == "refused"
     assert "the hand opens" in rows["crate"]["reason"]
-    pick, only = result["groups"][:2]
+    pick, kept, only = result["groups"][:3]
+    assert (kept["held"], kept["trials"]) == (1, 1)
+    assert result["excluded"] == {"crate": "too large"}
     assert (pick["held"], pick["trials"], only["held"]) == (1, 2, 1)
     low, high = pick["band"]
     assert 0 < low < 0.5 < high < 1
-    assert "| bar |" in (out / "household.md").read_text()
+    page = (out / "household.md").read_text()
+    assert "| bar |" in page
+    assert "- crate: too large" in page
     assert not (out / "household.rows").exists()
 
 
@@ -72,3 +79,7 @@ def test_bad_arguments_are_refused(folder, tmp_path, capsys):
     masses = tmp_path / "masses.yaml"
     masses.write_text("bar: heavy\n")
     assert "bar: heavy: should be a mass in kg" in refused(folder, "--masses", masses)
+    excluded = tmp_path / "excluded.yaml"
+    assert "--excluded: " in refused(folder, "--excluded", excluded)
+    excluded.write_text("bar: 3\n")
+    assert "bar: 3: should be a reason, as text" in refused(folder, "--excluded", excluded)

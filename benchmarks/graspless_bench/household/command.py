@@ -39,6 +39,13 @@ def add_parser(experiments: Any) -> None:
     parser.add_argument(
         "--masses", type=Path, metavar="FILE", help="YAML file of masses by name [kg] (default 0.2)"
     )
+    parser.add_argument(
+        "--excluded",
+        type=Path,
+        metavar="FILE",
+        help="YAML file of the meshes that the hand cannot take, each with the reason; they are "
+        "run, and counted apart",
+    )
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the places (1)")
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
@@ -55,10 +62,11 @@ def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from ..see.command import chosen
     from . import report
-    from .run import read_masses, run
+    from .run import read_excluded, read_masses, run
 
     paths = chosen(options.folder, options.mesh)
     masses = read_masses(options.masses)
+    excluded = read_excluded(options.excluded, {path.stem for path in paths})
     if find_spec("vhacdx") is None:
         raise TaskError("bench household: needs vhacdx for convex parts: pip install vhacdx")
     log = None
@@ -70,7 +78,7 @@ def _run(options: argparse.Namespace) -> int:
     bar = Bar("bench household", len(paths))
     rows = run(paths, options.robots.split(","), options.poses, masses, options.seed, log, bar.tell)
     bar.close()
-    result = report.as_result(rows, load)
+    result = report.as_result(rows, load, excluded)
     if log is not None:
         report.write(result, options.out)
         log.unlink(missing_ok=True)

@@ -17,7 +17,7 @@ from ..statistics import wilson
 from ..tables import aligned, markdown
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from ..machine import Row
@@ -26,10 +26,16 @@ if TYPE_CHECKING:
 STRATEGIES = ("pinch", "slide", "clasp")
 
 
-def as_result(rows: list[Row], load: Sequence[float]) -> Row:
-    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
+def as_result(rows: list[Row], load: Sequence[float], excluded: Mapping[str, str]) -> Row:
+    """Returns all of a run, as printed by `--json`.
+
+    `load`: load averages before it. `excluded`: reasons by the names of meshes.
+    """
     planned = [row for row in rows if row["strategy"] is not None]
     groups = [_group("pick", rows, rows)]
+    if excluded:
+        kept = [row for row in rows if row["mesh"] not in excluded]
+        groups.append(_group("pick, without the excluded", kept, kept))
     pinched = [row for row in rows if row["strategy"] == "pinch"]
     groups.append(_group("pinch only", pinched, rows))
     groups += [
@@ -42,6 +48,7 @@ def as_result(rows: list[Row], load: Sequence[float]) -> Row:
         "bench": "household",
         "rows": rows,
         "groups": groups,
+        "excluded": dict(excluded),
         "objects": [_object(name, robot, rows) for name, robot in names],
         "pick_ms": _quantiles([row["pick_seconds"] for row in planned]),
         "complaints": [
@@ -117,6 +124,12 @@ def _each(result: Row) -> str:
     return aligned("object", result["objects"], OBJECTS)
 
 
+def _excluded(reasons: Mapping[str, str]) -> str:
+    if not reasons:
+        return "Nothing: nobody has sorted out the objects that the hand cannot take."
+    return "\n".join(f"- {name}: {reason}" for name, reason in sorted(reasons.items()))
+
+
 def write(result: Row, directory: Path) -> None:
     """Writes household.json and household.md into a folder."""
     (directory / "household.json").write_text(json.dumps(result, indent=1) + "\n")
@@ -127,6 +140,7 @@ def write(result: Row, directory: Path) -> None:
         "objects": len(result["objects"]),
         "p50": shown["p50"],
         "p90": shown["p90"],
+        "excluded": _excluded(result["excluded"]),
         "groups": markdown(result["groups"], GROUPS, ""),
         "each": markdown(result["objects"], OBJECTS + REASONS, "object"),
     }

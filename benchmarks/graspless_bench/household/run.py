@@ -112,6 +112,21 @@ def read_masses(path: Path | None) -> dict[str, float]:
     return {str(name): float(mass) for name, mass in source.data.items()}
 
 
+def read_excluded(path: Path | None, names: set[str]) -> dict[str, str]:
+    """Returns the reasons of a YAML file by the names of the meshes; of those in `names` only."""
+    from graspless.tasks.source import read_yaml
+
+    if path is None:
+        return {}
+    if not path.is_file():
+        raise TaskError(f"--excluded: {path}: no such file")
+    source = read_yaml(path)
+    for name, reason in source.data.items():
+        if not (isinstance(reason, str) and reason.strip()):
+            raise source.error((name,), "should be a reason, as text")
+    return {str(name): reason for name, reason in source.data.items() if str(name) in names}
+
+
 def _logged(log: Path | None, seed: int) -> list[Row]:
     if log is None or not log.is_file():
         return []
