@@ -14,6 +14,7 @@ from tf2_msgs.msg import TFMessage
 
 from graspless import frames, perception
 from graspless.ros.fake_world import SCENE, X_WC, World, _shape
+from graspless.ros.halting import HaltedError, Timer, positions
 from graspless.ros.messages import (
     RefusedError,
     depth_of,
@@ -103,6 +104,39 @@ def test_joints_ignore_states_that_are_out_of_order():
         joints.positions(["j"], 1.0)
     with pytest.raises(RefusedError, match="was heard of k"):
         joints.positions(["j", "k"], 1.0)
+
+
+def test_joints_wait_a_moment_for_a_clock_that_comes_after_the_state():
+    times = iter([10.0, 10.0, 10.0, 11.0])
+    joints = Joints(lambda: next(times))
+    state = JointState(name=["j"], position=[1.0])
+    state.header.stamp = time_of(11.0)
+    joints.hear(state)
+    assert joints.positions(["j"], 1.0).tolist() == [1.0]
+    assert next(times, None) is None
+
+
+def test_a_jump_of_time_is_why_joints_are_not_known():
+    class Time:
+        t, jumps = 10.0, 0
+
+        def now(self):
+            return self.t
+
+    clock = Time()
+    joints, timer = Joints(clock.now), Timer(clock)
+    state = JointState(name=["j"], position=[1.0])
+    state.header.stamp = time_of(10.0)
+    joints.hear(state)
+    assert positions(joints, ["j"], 1.0, timer).tolist() == [1.0]
+    with pytest.raises(RefusedError, match="was heard of k"):
+        positions(joints, ["k"], 1.0, timer)
+    clock.t = 5.0
+    with pytest.raises(HaltedError, match="time has jumped back"):
+        positions(joints, ["j"], 1.0, timer)
+    clock.t, clock.jumps = 11.0, 1  # there and back between two looks
+    with pytest.raises(HaltedError, match="time has jumped back"):
+        timer.elapsed()
 
 
 def test_a_late_state_from_before_a_jump_hides_no_newer_ones():

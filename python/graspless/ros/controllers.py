@@ -7,18 +7,20 @@ from __future__ import annotations
 import threading
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from control_msgs.action import FollowJointTrajectory
 from rclpy.action import ActionClient
 
+from .halting import HaltedError, Timer, positions
 from .messages import RefusedError, time_of, trajectory_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from ..frames import Matrix
+    from .halting import Clock
     from .jobs import Found
     from .senses import Joints
     from .settings import Controller, Settings
@@ -33,25 +35,6 @@ _ERRORS = {
     -5: "missed the goal's tolerance",
 }
 SUCCEEDED = 4  # action_msgs/GoalStatus
-
-
-class HaltedError(Exception):
-    """An execution that has ended early, with a status and a reason of the message Motion."""
-
-    def __init__(self, status: str, reason: str) -> None:
-        super().__init__(reason)
-        self.status = status
-
-
-class Clock(Protocol):
-    """Time of the node."""
-
-    def now(self) -> float:
-        """Returns the time [s]."""
-
-    @property
-    def jumps(self) -> int:
-        """Number of times that it has jumped back."""
 
 
 @dataclass(frozen=True)
@@ -216,16 +199,16 @@ class Controllers:
         """
         parts = parts_of(found, self._settings.controllers)
         self._require_ready(found, parts)
-        start = self._clock.now() + self._settings.start_seconds
+        timer = Timer(self._clock)
         messages = [message_of(part, found, self._joints, self._settings) for part in parts]
         orders = []
         for part, message in zip(parts, messages, strict=True):
-            message.header.stamp = time_of(start)
+            message.header.stamp = time_of(timer.start + self._settings.start_seconds)
             name = part.controller.name
             orders.append(_Order(self._clients[name], name, message))
         try:
             self._await_acceptance(orders, cancel)
-            self._watch(orders, found, start, cancel, tell)
+            self._watch(orders, found, timer, cancel, tell)
         except (HaltedError, RefusedError) as error:
             left = self._withdraw(orders)
             status = error.status if isinstance(error, HaltedError) else "stopped"
@@ -256,22 +239,20 @@ class Controllers:
         self,
         orders: list[_Order],
         found: Found,
-        start: float,
+        timer: Timer,
         cancel: Alarm,
         tell: Callable[[str], object],
     ) -> None:
-        jumps, phase = self._clock.jumps, ""
+        phase = ""
         deadline = float(found.times[-1]) + self._settings.overtime_seconds
         while not all(order.is_over for order in orders):
             self._raise_faults(orders, cancel)
-            elapsed = self._clock.now() - start
-            if self._clock.jumps != jumps:
-                raise HaltedError("stopped", "time has jumped back")
+            elapsed = timer.elapsed() - self._settings.start_seconds
             if elapsed > deadline:
                 raise HaltedError(
                     "stopped", f"the trajectory is not done {elapsed:.1f} s after start"
                 )
-            self._joints.positions(found.joint_names, self._settings.joint_state_seconds)
+            positions(self._joints, found.joint_names, self._settings.joint_state_seconds, timer)
             gone = [order.name for order in orders if order.name in self.absent()]
             if gone:
                 raise HaltedError("controller_failed", f"{', '.join(gone)} is gone")

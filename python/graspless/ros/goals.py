@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from rclpy.task import Future
 
 from ..errors import TaskError, explain
-from .controllers import HaltedError
+from .halting import HaltedError
 from .jobs import Found
 from .messages import RefusedError
 from .workers import Alarm

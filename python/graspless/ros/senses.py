@@ -32,6 +32,11 @@ if TYPE_CHECKING:
 
 _LOOK = 0.01  # between looks whether a goal was cancelled [s]
 _FUTURE = 0.5  # of a stamp that clocks of two computers may differ by [s]
+_CATCH_UP = 0.1  # that a message of the clock may come after a state [s]
+
+
+class _AheadError(RefusedError):
+    """A joint state from the future."""
 
 
 class Joints:
@@ -72,19 +77,21 @@ class Joints:
     def positions(self, names: Sequence[str], oldest: float, patience: float = 0.0) -> Matrix:
         """Returns the positions of joints [rad or m].
 
-        Waits up to `patience` [s] for states that have not come yet.
+        Waits up to `patience` [s] for states that have not come yet, and a moment for a clock that
+        is behind them.
 
         Raises
         ------
         RefusedError
             One was never heard, is older than `oldest` [s], from the future, or not finite.
         """
-        end = time.monotonic() + patience
+        began = time.monotonic()
         while True:
             try:
                 return self._positions(names, oldest)
-            except RefusedError:
-                if time.monotonic() >= end:
+            except RefusedError as error:
+                least = _CATCH_UP if isinstance(error, _AheadError) else 0.0
+                if time.monotonic() - began >= max(patience, least):
                     raise
                 time.sleep(_LOOK)
 
@@ -102,7 +109,7 @@ class Joints:
             if age > oldest:
                 raise RefusedError(f"the state of {name} is {age:.2f} s old (joint_state_seconds)")
             if age < -_FUTURE:
-                raise RefusedError(f"the state of {name} is {-age:.2f} s ahead of the clock")
+                raise _AheadError(f"the state of {name} is {-age:.2f} s ahead of the clock")
             if not np.isfinite(state[1]):
                 raise RefusedError(f"the state of {name} is {state[1]}")
         return found

@@ -14,14 +14,15 @@ from trajectory_msgs.msg import JointTrajectory
 from ..following import Follower
 from ..plan_files import read_plan
 from ..timing.squeeze import SECONDS, beyond
-from .controllers import HaltedError, Part, parts_of, require_moved, require_start
+from .controllers import Part, parts_of, require_moved, require_start
+from .halting import HaltedError, Timer, positions
 from .messages import RefusedError, trajectory_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..following import Target
-    from .controllers import Clock
+    from .halting import Clock
     from .jobs import Found
     from .senses import Joints, ObjectPose
     from .settings import Settings
@@ -109,19 +110,19 @@ class Streaming:
         self, follower: Follower, found: Found, cancel: Alarm, tell: Callable[[str], object]
     ) -> Any:
         """Yields targets at the rate of the loop, by the time of the node."""
-        begin, jumps, phase = self._clock.now(), self._clock.jumps, ""
+        timer, phase = Timer(self._clock), ""
         period, last = 1 / self._settings.rate, -1.0
         while True:
             if cancel.has_rung:
                 raise HaltedError("canceled", "canceled during the execution")
-            if self._clock.jumps != jumps:
-                raise HaltedError("stopped", "time has jumped back")
-            t = self._clock.now() - begin
+            t = timer.elapsed()
             if t - last < period:
                 cancel.wait(min(period, max(1e-3, period - (t - last))))
                 continue
             last = t
-            q = self._joints.positions(found.joint_names, self._settings.joint_state_seconds)
+            q = positions(
+                self._joints, found.joint_names, self._settings.joint_state_seconds, timer
+            )
             seen = self._poses.take()
             pose, covariance, age = (None, None, 0.0) if seen is None else seen
             target = follower.update(t, q, pose, covariance, age)
