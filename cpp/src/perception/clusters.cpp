@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "graspless/watch.hpp"
 
 namespace graspless::perception {
@@ -16,22 +18,37 @@ constexpr int kMostAlong = 600;        // cells
 constexpr double kLeastInside = 0.3;   // least share of an object's cells that lie over the region
 constexpr int kFewest = 12;            // pixels of an object
 constexpr int kHalf = 2;               // of the window that smooths heights [pixels]
+constexpr float kLeastSpread = 2;      // of pixels whose slope is known [pixels^2]
 
-/// Mean height of the pixels around one that belong to the same surface.
-float smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
+/// A plane through the heights around a pixel: its height there, and its slopes along u and v.
+struct Patch {
+  float height;
+  Eigen::Vector2f slope;
+};
+
+/// Fits a plane to the heights of the pixels around one that belong to the same surface. Their mean
+/// would lift a pixel at the foot of a wall, whose neighbours are all higher.
+Patch smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
   const DepthImage& depth = from.sight->depth;
   const float z = depth(v, u);
   const auto step = static_cast<float>(largest_step(*from.sight, noise, static_cast<double>(z)));
-  float sum = 0, count = 0;
+  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+  Eigen::Vector3f sums = Eigen::Vector3f::Zero();
   for (int y = std::max(v - kHalf, 0); y <= std::min(v + kHalf, from.sight->height() - 1); ++y) {
     for (int x = std::max(u - kHalf, 0); x <= std::min(u + kHalf, from.sight->width() - 1); ++x) {
-      const bool is_same =
-          std::abs(depth(y, x) - z) < step && from.heights.level(y, x) == Level::above;
-      sum += is_same ? from.heights.height(y, x) : 0;
-      count += is_same ? 1 : 0;
+      if (!(std::abs(depth(y, x) - z) < step) || from.heights.level(y, x) != Level::above) continue;
+      const Eigen::Vector3f at(1, static_cast<float>(x - u), static_cast<float>(y - v));
+      squares += at * at.transpose();
+      sums += from.heights.height(y, x) * at;
     }
   }
-  return count > 0 ? sum / count : from.heights.height(v, u);
+  if (squares(0, 0) < 1) return {from.heights.height(v, u), Eigen::Vector2f::Zero()};
+  const Eigen::LDLT<Eigen::Matrix3f> solver(squares);
+  if (solver.vectorD().minCoeff() < kLeastSpread) {
+    return {sums[0] / squares(0, 0), Eigen::Vector2f::Zero()};
+  }
+  const Eigen::Vector3f fit = solver.solve(sums);
+  return {fit[0], fit.tail<2>()};
 }
 
 /// Raw height of a pixel [m].
@@ -58,11 +75,11 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
       const double z = static_cast<double>(sight.depth(v, u));
       const Eigen::Vector3d p = rays.at_depth(u, v, z);
       if (!mask.has(mask.column(p.x()), mask.row(p.y()))) continue;
-      const float height = smoothed(from, noise, u, v);
+      const Patch patch = smoothed(from, noise, u, v);
       // The smoother height also gives a smoother place on the ray.
-      const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(height));
-      pixels.push_back(
-          {view, u, v, height, raw_height(from, u, v), placed.head<2>().cast<float>()});
+      const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(patch.height));
+      pixels.push_back({view, u, v, patch.height, patch.slope, raw_height(from, u, v),
+                        placed.head<2>().cast<float>()});
     }
   }
 }

@@ -13,9 +13,10 @@ namespace graspless::perception {
 /// A pixel above a support.
 struct Pixel {
   int view, u, v;
-  float height;       ///< averaged over neighbours of the same surface [m]
-  float raw;          ///< as measured [m]
-  Eigen::Vector2f p;  ///< in S [m]
+  float height;           ///< of a plane through the neighbours of the same surface [m]
+  Eigen::Vector2f slope;  ///< of that plane along u and v [m]
+  float raw;              ///< as measured [m]
+  Eigen::Vector2f p;      ///< in S [m]
 };
 
 /// The rays of a view, in the frame S of a region.

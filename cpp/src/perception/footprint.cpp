@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kMostOutlineCells = 700;  // along a side of the raster
 
-/// The pixels of a cluster. Those along its boundary get the mean height of their neighbours
-/// within, since theirs may be mixed with the height of what is behind.
+/// The pixels of a cluster. Those along its boundary get the mean height of the planes of their
+/// neighbours within, since theirs may be mixed with the height of what is behind.
 std::vector<Pixel> without_mixed_heights(const Cluster& cluster,
                                          const std::vector<PixelSet>& sets) {
   std::vector<Pixel> pixels = cluster.pixels;
@@ -24,7 +24,9 @@ std::vector<Pixel> without_mixed_heights(const Cluster& cluster,
     for (int dv = -1; dv <= 1; ++dv) {
       for (int du = -1; du <= 1; ++du) {
         if (!set.has_around(p.u + du, p.v + dv)) continue;
-        sum += cluster.pixels[static_cast<std::size_t>(set.at(p.u + du, p.v + dv))].height;
+        const Pixel& inner = cluster.pixels[static_cast<std::size_t>(set.at(p.u + du, p.v + dv))];
+        sum += inner.height - static_cast<float>(du) * inner.slope.x() -
+               static_cast<float>(dv) * inner.slope.y();
         count += 1;
       }
     }

@@ -23,9 +23,8 @@ class PixelSet {
   }
   bool has(int u, int v) const { return at(u, v) >= 0; }
   /// True if the pixel and its four neighbours belong to the cluster.
-  bool has_around(int u, int v, int distance = 1) const {
-    return has(u, v) && has(u - distance, v) && has(u + distance, v) && has(u, v - distance) &&
-           has(u, v + distance);
+  bool has_around(int u, int v) const {
+    return has(u, v) && has(u - 1, v) && has(u + 1, v) && has(u, v - 1) && has(u, v + 1);
   }
 
  private:

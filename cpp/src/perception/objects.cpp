@@ -15,7 +15,7 @@
 namespace graspless::perception {
 namespace {
 
-constexpr double kTop = 0.98;            // quantile of the heights of what is not flat
+constexpr double kTop = 0.995;           // quantile of the heights of what is not flat
 constexpr double kFlat = 0.15;           // spread of the heights of what is flat, by the thickness
 constexpr double kFlatSpread = 0.0015;   // and at least [m]
 constexpr double kSignificantTop = 4.5;  // deviations of the mean of a window
@@ -42,13 +42,11 @@ double deviation_of(const Cluster& cluster, const std::vector<Sighting>& sightin
                                 pixel.u, pixel.v);
 }
 
-/// Pixels whose neighbours at a distance of 2 belong to the cluster too.
+/// Pixels whose neighbours belong to the cluster too.
 std::vector<const Pixel*> interior(const Cluster& cluster, const std::vector<PixelSet>& sets) {
-  constexpr int kDistance = 2;
   std::vector<const Pixel*> result;
   for (const Pixel& p : cluster.pixels) {
-    const PixelSet& set = sets[static_cast<std::size_t>(p.view)];
-    if (set.has_around(p.u, p.v, kDistance)) result.push_back(&p);
+    if (sets[static_cast<std::size_t>(p.view)].has_around(p.u, p.v)) result.push_back(&p);
   }
   return result;
 }
