@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _MANY = QoSProfile(depth=1000)  # by default the eleventh request at once is lost
+_KEPT = 60  # time of the node for which the result of a goal can be asked for [s]
 
 
 class Server:
@@ -55,6 +56,7 @@ class Server:
             goal_service_qos_profile=_MANY,
             result_service_qos_profile=_MANY,
             cancel_service_qos_profile=_MANY,
+            result_timeout=_KEPT,
         )
 
     def destroy(self) -> None:
