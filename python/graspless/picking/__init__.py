@@ -123,7 +123,7 @@ def _attempt(
             attempt.status = REFUSED
             return None
         plan, doubted = _measured_plan(attempt.strategy, wish, seed, seconds)
-        faults = check(plan) if plan else []
+        faults = check(plan) if plan and not doubted else []
     except OutOfTimeError as error:
         attempt.status, attempt.reason = "out_of_time", str(error)
         return None
@@ -153,12 +153,11 @@ def _measured_plan(strategy: str, wish: Wish, seed: int, seconds: float) -> tupl
     Returns the plan and what speaks against the last one, if anything does.
     """
     began = time.monotonic()
+    task = task_from_dict(chain_of(strategy, wish, seed, seconds), strategy, resolve=True)
     for k in range(SEEDS[strategy]):
-        left = seconds - (time.monotonic() - began)
-        if k > 0 and left <= 0:
+        if k > 0 and time.monotonic() - began >= seconds:
             break
-        document = chain_of(strategy, wish, (seed + k * APART) % 2**64, left)
-        plan: Plan = plan_since(task_from_dict(document, strategy, resolve=True), time.monotonic())
+        plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
         doubted = doubt(plan, wish) if plan else ""
         if not doubted:
             break
