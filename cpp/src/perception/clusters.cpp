@@ -26,8 +26,9 @@ struct Patch {
   Eigen::Vector2f slope;
 };
 
-/// Fits a plane to the heights of the pixels around one that belong to the same surface. Their mean
-/// would lift a pixel at the foot of a wall, whose neighbours are all higher.
+/// Fits a plane to the heights of a pixel above the support and of its neighbours on the same
+/// surface. Their mean would lift a pixel at the foot of a wall, whose neighbours are all higher;
+/// it is taken where they are too few for a slope.
 Patch smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
   const DepthImage& depth = from.sight->depth;
   const float z = depth(v, u);
@@ -42,7 +43,6 @@ Patch smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
       sums += from.heights.height(y, x) * at;
     }
   }
-  if (squares(0, 0) < 1) return {from.heights.height(v, u), Eigen::Vector2f::Zero()};
   const Eigen::LDLT<Eigen::Matrix3f> solver(squares);
   if (solver.vectorD().minCoeff() < kLeastSpread) {
     return {sums[0] / squares(0, 0), Eigen::Vector2f::Zero()};
