@@ -99,32 +99,39 @@ def _executed(thing: scenes.Placed, plan: Any) -> Row:
 
 def read_masses(path: Path | None) -> dict[str, float]:
     """Returns the masses of a YAML file by the names of the meshes [kg]."""
-    from graspless.tasks.source import read_yaml
-
-    if path is None:
-        return {}
-    if not path.is_file():
-        raise TaskError(f"--masses: {path}: no such file")
-    source = read_yaml(path)
-    for name, mass in source.data.items():
-        if not (isinstance(mass, (int, float)) and 0 < mass < 1e4):
-            raise source.error((name,), "should be a mass in kg")
-    return {str(name): float(mass) for name, mass in source.data.items()}
+    masses = _by_name("--masses", path, _is_mass, "should be a mass in kg")
+    return {name: float(mass) for name, mass in masses.items()}
 
 
 def read_excluded(path: Path | None, names: set[str]) -> dict[str, str]:
     """Returns the reasons of a YAML file by the names of the meshes; of those in `names` only."""
+    reasons = _by_name("--excluded", path, _is_reason, "should be a reason, as text")
+    return {name: reason for name, reason in reasons.items() if name in names}
+
+
+def _is_mass(value: Any) -> bool:
+    return isinstance(value, (int, float)) and 0 < value < 1e4
+
+
+def _is_reason(value: Any) -> bool:
+    return isinstance(value, str) and bool(value.strip())
+
+
+def _by_name(
+    option: str, path: Path | None, is_valid: Callable[[Any], bool], should: str
+) -> dict[str, Any]:
+    """Returns the values of a YAML file by the names of the meshes; nothing without a file."""
     from graspless.tasks.source import read_yaml
 
     if path is None:
         return {}
     if not path.is_file():
-        raise TaskError(f"--excluded: {path}: no such file")
+        raise TaskError(f"{option}: {path}: no such file")
     source = read_yaml(path)
-    for name, reason in source.data.items():
-        if not (isinstance(reason, str) and reason.strip()):
-            raise source.error((name,), "should be a reason, as text")
-    return {str(name): reason for name, reason in source.data.items() if str(name) in names}
+    for name, value in source.data.items():
+        if not is_valid(value):
+            raise source.error((name,), should)
+    return {str(name): value for name, value in source.data.items()}
 
 
 def _logged(log: Path | None, seed: int) -> list[Row]:
