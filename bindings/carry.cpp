@@ -21,39 +21,78 @@ std::vector<Rest> to_rests(const Normals& normals) {
   return rests;
 }
 
+void bind_places(py::module_& m) {
+  py::class_<Places>(m, "Places", "Places on an obstacle where a held object may be put down.")
+      .def(py::init([](const Array& X_WO, const std::string& on, const Array& q_open,
+                       const Array& normal_W) {
+             return Places{to_poses(X_WO, "X_WO"), on, to_vector3(normal_W, "normal_W"),
+                           to_vector(q_open, "q_open")};
+           }),
+           py::arg("X_WO"), py::arg("on"), py::arg("q_open"),
+           py::arg_v("normal_W", Array(py::cast(Eigen::Vector3d(0, 0, 1))), "(0, 0, 1)"),
+           "X_WO: (N, 4, 4) poses of the object in the world, the best first. on: obstacle on "
+           "which it then stands. q_open: (dof,) configuration\nwhose joints outside the arm's "
+           "group open the hand [rad or m]. normal_W: (3,) unit normal of the obstacle's surface "
+           "in the world.")
+      .def_property_readonly(
+          "X_WO", [](const Places& self) { return from_poses(self.X_WO); },
+          "(N, 4, 4) poses of the object in the world, the best first.")
+      .def_readonly("on", &Places::on, "Obstacle on which the object then stands.")
+      .def_property_readonly(
+          "q_open", [](const Places& self) -> Eigen::VectorXd { return self.q_open; },
+          "(dof,) configuration whose joints outside the arm's group open the hand [rad or m].")
+      .def_property_readonly(
+          "normal_W", [](const Places& self) -> Eigen::Vector3d { return self.normal_W; },
+          "(3,) unit normal of the obstacle's surface in the world.")
+      .def("__repr__", [](const Places& self) {
+        return "<Places: " + std::to_string(self.X_WO.size()) + " on '" + self.on + "'>";
+      });
+}
+
 void bind_problem(py::module_& m) {
   py::class_<Problem>(
       m, "Problem",
-      "Task of the planner: carry a held object along a straight path to another pose.")
+      "Task of the planner: carry a held object along a straight path to another pose, or put it "
+      "down.")
       .def(py::init([](const robot::Robot& robot, const std::string& frame, const Obstacle& object,
-                       const Array& X_WO_goal, const Array& q_start,
+                       const std::optional<Array>& X_WO_goal, const Array& q_start,
                        const std::vector<Obstacle>& obstacles, const Normals& rests_on,
-                       const std::string& arm) {
-             return Problem{robot,
-                            arm,
-                            frame,
-                            object,
-                            to_pose(X_WO_goal, "X_WO_goal"),
-                            obstacles,
-                            to_rests(rests_on),
-                            to_configuration(robot, q_start, "q_start")};
+                       const std::string& arm, const std::optional<Places>& places) {
+             if (X_WO_goal.has_value() == places.has_value())
+               throw std::invalid_argument("exactly one of X_WO_goal and places must be given");
+             return Problem{
+                 robot,
+                 arm,
+                 frame,
+                 object,
+                 X_WO_goal ? to_pose(*X_WO_goal, "X_WO_goal") : Eigen::Isometry3d::Identity(),
+                 obstacles,
+                 to_rests(rests_on),
+                 to_configuration(robot, q_start, "q_start"),
+                 places};
            }),
            py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
            py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
            py::arg("rests_on") = Normals{}, py::arg("arm") = "arm",
+           py::arg("places") = std::nullopt,
            "frame: link that holds the object. object: its shapes, and its pose at the "
            "start.\nX_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration "
            "at the start [rad or m]. rests_on: obstacles that\nthe object rests on at the start "
            "and may be dragged over, each with its unit normal (3,) in the world. arm: group of "
-           "the joints that move.")
+           "the joints that move. places: where the object is put down; X_WO_goal is then None.")
       .def_property_readonly(
           "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
       .def_readonly("arm", &Problem::arm, "Group of the joints that move.")
       .def_readonly("frame", &Problem::frame, "Link that holds the object.")
       .def_readonly("object", &Problem::object, "Held object, with its pose at the start.")
       .def_property_readonly(
-          "X_WO_goal", [](const Problem& self) { return from_pose(self.X_WO_goal); },
-          "(4, 4) pose of the object in the world at the end.")
+          "X_WO_goal",
+          [](const Problem& self) -> std::optional<Pose> {
+            if (self.places) return std::nullopt;
+            return from_pose(self.X_WO_goal);
+          },
+          "(4, 4) pose of the object in the world at the end; None with places.")
+      .def_readonly("places", &Problem::places, "Where the object is put down, or None.")
       .def_property_readonly(
           "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
           "(dof,) configuration at the start [rad or m].")
@@ -85,6 +124,7 @@ void bind_plan(py::module_& m) {
   field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(Field{"reached", &Plan::reached, "Fraction of the path that was reached, in [0, 1]."});
+  field(Field{"place", &Plan::place, "Index of the place where the object is put down; -1: none."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def("__repr__", [](const py::object& self) {
     return represent(self, {"status", "reason", "segments"});
@@ -94,19 +134,22 @@ void bind_plan(py::module_& m) {
 }  // namespace
 
 void bind_carry(py::module_ m) {
+  bind_places(m);
   bind_problem(m);
   bind_options_struct<Options>(m, "Options", "Options of the search.");
-  bind_motion_segment<Segment>(m, "carry.");
+  bind_motion_segment<Segment>(m, "carry; with places transfer, lower, open or retreat.");
   bind_statistics_struct<Statistics>(m);
   bind_choices<Status>(m, "Status", "Outcome of a query.");
   bind_plan(m);
   bind_front_door<Problem, Options, Plan>(
       m,
-      "Plans a motion of the arm that carries the object along a straight path to its "
-      "goal.\n\nFinding no plan is a status, not an error.",
+      "Plans a motion of the arm that carries the object along a straight path to its goal, or "
+      "puts it down at a place.\n\nFinding no plan is a status, not an error.",
       "Checks a plan against its problem by an independent replay.");
   bind_certify<Problem, Options, Plan>(
-      m, "nothing touches that may not, and the object keeps to its straight path.");
+      m,
+      "nothing touches that may not, and the object keeps to its straight path, or tilts no "
+      "more than it may.");
 }
 
 }  // namespace graspless::bindings

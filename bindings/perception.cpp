@@ -289,16 +289,18 @@ void bind_scene_class(py::module_& m) {
                         "trustworthy was found.");
   cls.def(py::init([](Status status, const std::string& reason, std::vector<Support> supports,
                       std::vector<Object> objects, std::vector<Unseen> unseen,
-                      std::vector<std::string> warnings) {
+                      std::vector<std::string> warnings, std::optional<double> stamp) {
             return Scene{status,
                          reason,
                          std::move(supports),
                          std::move(objects),
                          std::move(unseen),
-                         std::move(warnings)};
+                         std::move(warnings),
+                         stamp};
           }),
           py::kw_only(), py::arg("status"), py::arg("reason"), py::arg("supports"),
-          py::arg("objects"), py::arg("unseen"), py::arg("warnings"), "Any field by keyword.");
+          py::arg("objects"), py::arg("unseen"), py::arg("warnings"),
+          py::arg("stamp") = std::nullopt, "Any field by keyword.");
   cls.def_readonly("status", &Scene::status, "Outcome.");
   cls.def_readonly("reason", &Scene::reason, "What was found, or why nothing was, and what to do.");
   bind_items(cls, "supports", &Scene::supports, "Supports, from the largest to the smallest.");
@@ -306,6 +308,8 @@ void bind_scene_class(py::module_& m) {
   bind_items(cls, "unseen", &Scene::unseen, "Space that no ray reached.");
   bind_items(cls, "warnings", &Scene::warnings,
              "What may be wrong although something was found, one sentence each.");
+  cls.def_readwrite("stamp", &Scene::stamp,
+                    "When the images were taken [s since 1970]; None if unknown.");
   cls.def(
       "__bool__", [](const Scene& self) { return static_cast<bool>(self); },
       "True if at least one support was found.");

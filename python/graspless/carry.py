@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Carry a held object along a straight path: lift it, or drag it over a surface."""
+"""Carry a held object along a straight path: lift it, drag it over a surface, or put it down."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 from ._core import carry as _core
 from ._core.carry import (
     Options,
+    Places,
     Problem,
     Segment,
     Statistics,
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Plan(AnyPlan, _core.Plan):
-    """Straight motion of a held object, or the reason why there is none. False unless solved."""
+    """Motion of a held object, or the reason why there is none. False unless solved."""
 
     kind: ClassVar[Literal["carry"]] = "carry"
     _planner: ClassVar[Any] = _core
@@ -40,7 +41,8 @@ class Plan(AnyPlan, _core.Plan):
 
 
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
-    """Plans a motion of the arm that takes the object along a straight line to its goal.
+    """Plans a motion of the arm that takes the object along a straight line to its goal, or puts
+    it down at the first of its places that works.
 
     Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
     KeyboardInterrupt, budget.stop() returns the best so far.
@@ -64,6 +66,7 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
 __all__ = [
     "Obstacle",
     "Options",
+    "Places",
     "Plan",
     "Problem",
     "Segment",

@@ -3,6 +3,7 @@
 """Picks: the strategy that works, reasons for the others, bad input, and the command."""
 
 import json
+import time
 
 import numpy as np
 import pytest
@@ -11,32 +12,17 @@ import graspless
 from graspless import check, frames, geometry, perception, picking
 from graspless.cli import main
 from graspless.errors import TaskError
+from graspless.picking import trying
 from graspless.picking.measured import doubt
 from graspless.picking.strategies import chain_of, top_share, unseen_share
 from graspless.picking.wish import wish_of
-
-
-def body(size, x, y, z, yaw=0.0):
-    X_WB = np.eye(4)
-    c, s = np.cos(yaw), np.sin(yaw)
-    X_WB[:2, :2], X_WB[:3, 3] = [[c, -s], [s, c]], (x, y, z)
-    return perception.Body([geometry.PlacedShape(geometry.Box(size))], X_WB)
+from pick_common import body, seen
 
 
 @pytest.fixture(scope="module")
 def scene():
     """A card, a bar that stands, and a block that is too large for all."""
-    bodies = [
-        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
-        body([6, 6, 0.02], 0.65, 0.0, -0.75),
-        body([0.12, 0.08, 0.006], 0.55, 0.2, 0.003, 0.3),
-        body([0.10, 0.035, 0.06], 0.62, -0.02, 0.03, 0.5),
-        body([0.14, 0.12, 0.2], 0.75, -0.22, 0.1),
-    ]
-    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
-    found = graspless.perceive(frame.depth, frame.K, frame.X_WC)
-    assert found, found.reason
-    return found
+    return seen()
 
 
 @pytest.fixture(scope="module")
@@ -105,8 +91,8 @@ def test_a_bag_is_clasped_by_its_handle():
         perception.Body(shapes, X_WO),
     ]
     frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.6], [0.65, 0.0, 0.1]))
-    seen = graspless.perceive(frame.depth, frame.K, frame.X_WC)
-    found = graspless.pick(seen, seen.objects[0].name, "kr5_sdh", seconds=30)
+    looked = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    found = graspless.pick(looked, looked.objects[0].name, "kr5_sdh", seconds=30)
     assert found, found.reason
     assert found.strategy == "clasp"
     assert "it needs two fingers" in found.attempts[0].reason
@@ -136,7 +122,7 @@ def test_the_best_of_some_is_the_shortest(scene, names):
 def test_a_plan_that_fails_its_check_is_not_given(scene, names, monkeypatch):
     fault = "contact 0: the face leans"
     monkeypatch.setattr(
-        picking, "check", lambda plan: [fault] if plan.names[0] == "pinch" else check(plan)
+        trying, "check", lambda plan: [fault] if plan.names[0] == "pinch" else check(plan)
     )
     found = graspless.pick(scene, names["card"], "wam_t42")
     assert found.strategy != "pinch"
@@ -193,14 +179,16 @@ def test_an_edge_out_of_reach_is_a_reason(scene, names):
 
 
 def test_the_share_of_the_side_that_is_unseen(scene, names):
-    wish = wish_of(scene, names["block"], "wam_t42", lift=0.1, respect="objects", mass=None)
+    wish = wish_of(
+        scene, "scene", names["block"], "wam_t42", lift=0.1, respect="objects", mass=None
+    )
     assert 0.2 < unseen_share(wish) < 0.8  # a block seen from one side
     one = wish.thing.points[:1]
     assert unseen_share(_with_points(wish, one)) > 0.9
 
 
 def test_a_hollow_object_is_not_slid(scene, names):
-    wish = wish_of(scene, names["card"], "wam_t42", lift=0.1, respect="objects", mass=None)
+    wish = wish_of(scene, "scene", names["card"], "wam_t42", lift=0.1, respect="objects", mass=None)
     assert top_share(wish) > 0.95
     ring = np.asarray(wish.thing.outline)
     rim = np.column_stack([ring, np.full(len(ring), wish.thing.thickness)])
@@ -208,7 +196,7 @@ def test_a_hollow_object_is_not_slid(scene, names):
 
 
 def _wish(scene, name):
-    return wish_of(scene, name, "wam_t42", lift=0.1, respect="objects", mass=None)
+    return wish_of(scene, "scene", name, "wam_t42", lift=0.1, respect="objects", mass=None)
 
 
 def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
@@ -258,8 +246,8 @@ def test_a_spoon_is_not_pinched_above_its_handle():
         perception.Body(shapes, frames.planar(0.6, 0.05, 0.4)),
     ]
     frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
-    seen = graspless.perceive(frame.depth, frame.K, frame.X_WC)
-    found = graspless.pick(seen, seen.objects[0].name, "wam_t42", strategies=["pinch"])
+    looked = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    found = graspless.pick(looked, looked.objects[0].name, "wam_t42", strategies=["pinch"])
     assert not found
     assert found.attempts[0].status == "refused"
     assert "over the support, where the object is 5 mm high" in found.attempts[0].reason
@@ -280,7 +268,7 @@ def _with_points(wish, points):
 @pytest.mark.parametrize("strategy", ["pinch", "slide", "clasp"])
 def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
     name = names["card" if strategy == "slide" else "bar"]
-    wish = wish_of(scene, name, "wam_t42", lift=0.1, respect="unseen", mass=0.3)
+    wish = wish_of(scene, "scene", name, "wam_t42", lift=0.1, respect="unseen", mass=0.3)
     task = graspless.tasks.task_from_dict(chain_of(strategy, wish, 1, 5.0), "chain", resolve=True)
     assert [stage.kind for stage in task.problem.stages] == [strategy, "carry"]
 
@@ -379,3 +367,87 @@ def test_a_task_file_of_kind_pick(scene, names, tmp_path, capsys, monkeypatch):
     assert "is planned by `graspless pick`" in refused("plan", "pick.yaml")
     task.write_text(task.read_text() + "highest: 3\n")
     assert "pick.yaml:7: highest: unknown field" in refused("pick", "pick.yaml")
+
+
+FAR = {"urdf": "wam_t42", "pose": {"position": [-3.0, 0.0, 0.0]}}
+
+
+def test_the_robot_that_reaches_it_picks_it_up(scene, names):
+    found = graspless.pick(scene, names["bar"], [FAR, "kr5_t42", "wam_t42"])
+    assert found, found.reason
+    assert found.robot == "kr5_t42"
+    tried = [(a.strategy, a.robot, a.status) for a in found.attempts]
+    assert tried[:3] == [
+        ("pinch", "wam_t42", "not_reached"),
+        ("pinch", "kr5_t42", "solved"),
+        ("pinch", "wam_t42 (2)", "not_tried"),
+    ]
+    assert len(tried) == 9
+    assert "kr5_t42 pinch  solved" in found.table()
+    alone = graspless.pick(scene, names["bar"], "kr5_t42")
+    for one, other in zip(found.plan.segments, alone.plan.segments, strict=True):
+        assert np.array_equal(one.positions, other.positions)
+
+
+def test_the_best_of_some_may_be_of_another_robot(scene, names):
+    robots = ["wam_t42", "kr5_t42"]
+    best = graspless.pick(scene, names["bar"], robots, strategies=["pinch"], best_of=2)
+    alone = {
+        robot: graspless.pick(scene, names["bar"], robot, strategies=["pinch"]).plan
+        for robot in robots
+    }
+    assert best.robot == min(robots, key=lambda robot: picking.duration(alone[robot]))
+
+
+def test_several_robots_each_have_a_reason(scene, names):
+    found = graspless.pick(scene, names["bar"], [FAR, FAR], strategies=["pinch"])
+    assert not found
+    assert found.robot is None
+    assert "wam_t42 pinch: none of" in found.reason
+    assert "wam_t42 (2) pinch: none of" in found.reason
+    with pytest.raises(TaskError, match="robot: none"):
+        graspless.pick(scene, names["bar"], [])
+
+
+def test_an_old_scene_is_refused(scene, names, tmp_path):
+    fresh = perception.Scene(
+        status=scene.status, reason="", supports=list(scene.supports),
+        objects=list(scene.objects), unseen=[], warnings=[],
+    )  # fmt: skip
+
+    def asked(stamp, max_age=5.0):
+        fresh.stamp = stamp
+        perception.save_scene(fresh, tmp_path / "scene.yaml")
+        return graspless.pick(tmp_path / "scene.yaml", names["bar"], "wam_t42", max_age=max_age)
+
+    now = time.time()
+    assert asked(now)
+    for stamp, words in (
+        (now - 60, "its images were taken 60"),
+        (now + 60, "in the future: the clocks differ"),
+        (None, "nobody noted when its images were taken"),
+    ):
+        found = asked(stamp)
+        assert not found
+        assert (found.attempts[0].strategy, found.attempts[0].status) == ("scene", "stale")
+        assert words in found.attempts[0].reason
+        assert [attempt.status for attempt in found.attempts[1:]] == 3 * ["not_tried"]
+    assert asked(now - 60, max_age=None)
+    with pytest.raises(TaskError, match="max_age: 0"):
+        asked(now, max_age=0.0)
+
+
+def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(scene, "scene.yaml")
+    head = f"kind: pick\nscene: scene.yaml\nname: {names['bar']}\n"
+    task = tmp_path / "pick.yaml"
+    robots = "robots: [{urdf: wam_t42, pose: {position: [-3, 0, 0]}}, {urdf: kr5_t42}]\n"
+    task.write_text(head + robots)
+    assert main(["pick", "pick.yaml", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["robot"] == "kr5_t42"
+    task.write_text(head)
+    assert main(["pick", "pick.yaml"]) == 2
+    assert "exactly one of robot, robots must be given, not none" in capsys.readouterr().err
+    assert main(["pick", "scene.yaml", names["bar"], *ROBOT, "--max-age", "5"]) == 1
+    assert "scene  stale: nobody noted when" in capsys.readouterr().out

@@ -5,6 +5,7 @@
 
 #include "graspless/planning/path.hpp"
 
+#include "carry/place_search.hpp"
 #include "carry/search.hpp"
 #include "planning/plan_within.hpp"
 
@@ -43,6 +44,13 @@ Plan searched(const Problem& problem, const Options& options, const planning::Bu
               planning::Clock& clock) {
   validate(problem);
   validate(options);
+  if (problem.places) {
+    Plan plan;
+    PlaceSearch search(problem, options, clock, budget.seed);
+    search.run(plan);
+    plan.statistics = search.statistics();
+    return plan;
+  }
   Search search(problem, options, clock);
   Plan plan;
   if (const auto [a, b] = search.touching_at_start(); !a.empty()) {

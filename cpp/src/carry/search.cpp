@@ -38,6 +38,20 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
   return links;
 }
 
+void add_obstacles(scene::Scene& scene, int object, const Problem& problem,
+                   const Options& options) {
+  for (const Obstacle& obstacle : problem.obstacles) {
+    const int body = scene.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
+    scene.world().add_pair(object, body);
+    for (const Rest& rest : problem.rests_on) {
+      if (rest.obstacle != obstacle.name) continue;
+      scene.world().allow_contact(object, body, rest.normal_W, options.contact_depth);
+    }
+    if (problem.places && problem.places->on == obstacle.name)
+      scene.world().allow_contact(object, body, problem.places->normal_W, options.contact_depth);
+  }
+}
+
 Search::Search(const Problem& problem, const Options& options, planning::Clock& clock)
     : problem_(problem),
       options_(options),
@@ -50,14 +64,7 @@ Search::Search(const Problem& problem, const Options& options, planning::Clock& 
       steps_(std::max({1, static_cast<int>(std::ceil(object_path_.distance() / options.step)),
                        static_cast<int>(std::ceil(object_path_.angle() / kTurnStep))})) {
   const int object = scene_.add_object(problem.object.name, problem.object.shapes);
-  for (const Obstacle& obstacle : problem.obstacles) {
-    const int body = scene_.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
-    scene_.world().add_pair(object, body);
-    for (const Rest& rest : problem.rests_on) {
-      if (rest.obstacle != obstacle.name) continue;
-      scene_.world().allow_contact(object, body, rest.normal_W, options.contact_depth);
-    }
-  }
+  add_obstacles(scene_, object, problem, options);
   scene_.attach(object, frame_, X_FO_, links_with(problem.robot, frame_, ik_.group()));
 }
 

@@ -66,6 +66,10 @@ class Search {
   Statistics statistics_;
 };
 
+/// Adds the obstacles to a scene in which `object` is a body: it may touch those that it rests on,
+/// and that on which it is put down.
+void add_obstacles(scene::Scene& scene, int object, const Problem& problem, const Options& options);
+
 /// Indices of the links that do not move relative to `frame` while the joints of `arm` move.
 std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vector<int>& arm);
 

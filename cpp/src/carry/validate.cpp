@@ -25,21 +25,37 @@ void check_bodies(const Problem& problem) {
   collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or the object");
 }
 
+void check_rest(const Problem& problem, const Rest& rest, const std::string& field) {
+  const auto is_it = [&](const Obstacle& obstacle) { return obstacle.name == rest.obstacle; };
+  if (std::none_of(problem.obstacles.begin(), problem.obstacles.end(), is_it)) {
+    std::string names;
+    for (const Obstacle& obstacle : problem.obstacles) names += " " + obstacle.name;
+    throw std::invalid_argument(field + ": there is no obstacle '" + rest.obstacle +
+                                "' (one of:" + names + ")");
+  }
+  const double length = rest.normal_W.norm();
+  if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
+    throw std::invalid_argument(field + ": normal_W must have unit length, not " +
+                                std::to_string(length));
+}
+
 void check_rests(const Problem& problem) {
-  for (std::size_t i = 0; i < problem.rests_on.size(); ++i) {
-    const Rest& rest = problem.rests_on[i];
-    const std::string field = "rests_on[" + std::to_string(i) + "]";
-    const auto is_it = [&](const Obstacle& obstacle) { return obstacle.name == rest.obstacle; };
-    if (std::none_of(problem.obstacles.begin(), problem.obstacles.end(), is_it)) {
-      std::string names;
-      for (const Obstacle& obstacle : problem.obstacles) names += " " + obstacle.name;
-      throw std::invalid_argument(field + ": there is no obstacle '" + rest.obstacle +
-                                  "' (one of:" + names + ")");
-    }
-    const double length = rest.normal_W.norm();
-    if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
-      throw std::invalid_argument(field + ": normal_W must have unit length, not " +
-                                  std::to_string(length));
+  for (std::size_t i = 0; i < problem.rests_on.size(); ++i)
+    check_rest(problem, problem.rests_on[i], "rests_on[" + std::to_string(i) + "]");
+}
+
+void check_places(const Problem& problem) {
+  const Places& places = *problem.places;
+  if (places.X_WO.empty()) throw std::invalid_argument("places.X_WO: must have at least one pose");
+  for (std::size_t i = 0; i < places.X_WO.size(); ++i)
+    geometry::require_pose(places.X_WO[i], "places.X_WO[" + std::to_string(i) + "]");
+  check_rest(problem, {places.on, places.normal_W}, "places.on");
+  robot::require_configuration(problem.robot, places.q_open, "places.q_open");
+  const Eigen::Vector3d up_O = places.X_WO[0].linear().transpose() * places.normal_W;
+  for (std::size_t i = 1; i < places.X_WO.size(); ++i) {
+    if ((places.X_WO[i].linear() * up_O - places.normal_W).norm() < 1e-6) continue;
+    throw std::invalid_argument("places.X_WO[" + std::to_string(i) +
+                                "]: must stand on the same side of the object as places.X_WO[0]");
   }
 }
 
@@ -59,7 +75,11 @@ void validate(const Problem& problem) {
   robot::require_configuration(problem.robot, problem.q_start, "q_start");
   check_bodies(problem);
   check_rests(problem);
-  check_goal(problem);
+  if (problem.places) {
+    check_places(problem);
+  } else {
+    check_goal(problem);
+  }
 }
 
 void validate(const Options& options) { planning::require_in_range("options.", options); }

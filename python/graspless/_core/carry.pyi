@@ -11,23 +11,54 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Options', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'certify', 'check', 'plan', 'validate']
-class Problem:
+__all__: list[str] = ['Options', 'Places', 'Plan', 'Problem', 'Segment', 'Statistics', 'Status', 'certify', 'check', 'plan', 'validate']
+class Places:
     """
-    Task of the planner: carry a held object along a straight path to another pose.
+    Places on an obstacle where a held object may be put down.
     """
-    def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm') -> None:
+    def __init__(self, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], on: str, q_open: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], normal_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = (0, 0, 1)) -> None:
         """
-        frame: link that holds the object. object: its shapes, and its pose at the start.
-        X_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration at the start [rad or m]. rests_on: obstacles that
-        the object rests on at the start and may be dragged over, each with its unit normal (3,) in the world. arm: group of the joints that move.
+        X_WO: (N, 4, 4) poses of the object in the world, the best first. on: obstacle on which it then stands. q_open: (dof,) configuration
+        whose joints outside the arm's group open the hand [rad or m]. normal_W: (3,) unit normal of the obstacle's surface in the world.
         """
     def __repr__(self) -> str:
         ...
     @property
-    def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+    def X_WO(self) -> numpy.typing.NDArray[numpy.float64]:
         """
-        (4, 4) pose of the object in the world at the end.
+        (N, 4, 4) poses of the object in the world, the best first.
+        """
+    @property
+    def normal_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) unit normal of the obstacle's surface in the world.
+        """
+    @property
+    def on(self) -> str:
+        """
+        Obstacle on which the object then stands.
+        """
+    @property
+    def q_open(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (dof,) configuration whose joints outside the arm's group open the hand [rad or m].
+        """
+class Problem:
+    """
+    Task of the planner: carry a held object along a straight path to another pose, or put it down.
+    """
+    def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm', places: Places | None = None) -> None:
+        """
+        frame: link that holds the object. object: its shapes, and its pose at the start.
+        X_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration at the start [rad or m]. rests_on: obstacles that
+        the object rests on at the start and may be dragged over, each with its unit normal (3,) in the world. arm: group of the joints that move. places: where the object is put down; X_WO_goal is then None.
+        """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"] | None:
+        """
+        (4, 4) pose of the object in the world at the end; None with places.
         """
     @property
     def arm(self) -> str:
@@ -48,6 +79,11 @@ class Problem:
     def obstacles(self) -> list[graspless._core.collision.Obstacle]:
         """
         Bodies that neither the arm nor the object may touch.
+        """
+    @property
+    def places(self) -> Places | None:
+        """
+        Where the object is put down, or None.
         """
     @property
     def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -73,7 +109,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, height: typing.SupportsFloat | typing.SupportsIndex = 0.06, retreat: typing.SupportsFloat | typing.SupportsIndex = 0.08, max_tilt: typing.SupportsFloat | typing.SupportsIndex = 0.35, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -100,6 +136,16 @@ class Options:
     def contact_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
+    def height(self) -> float:
+        """
+        With places: length of the straight motion down onto the support.
+        
+        Unit: m. Range: (0, 0.5]. Default: 0.06.
+        """
+    @height.setter
+    def height(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def max_memory(self) -> float:
         """
         Largest memory that the search may take.
@@ -108,6 +154,16 @@ class Options:
         """
     @max_memory.setter
     def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_tilt(self) -> float:
+        """
+        With places: largest angle between the object's vertical on the way and that at the start or at the place, whichever is nearer.
+        
+        Unit: rad. Range: (0, 3.2]. Default: 0.35.
+        """
+    @max_tilt.setter
+    def max_tilt(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def max_twist(self) -> float:
@@ -128,6 +184,16 @@ class Options:
         """
     @resolution.setter
     def resolution(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def retreat(self) -> float:
+        """
+        With places: length of the straight motion of the open hand away from the object.
+        
+        Unit: m. Range: (0, 0.5]. Default: 0.08.
+        """
+    @retreat.setter
+    def retreat(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def step(self) -> float:
@@ -166,7 +232,7 @@ class Segment:
     @property
     def name(self) -> str:
         """
-        carry.
+        carry; with places transfer, lower, open or retreat.
         """
     @property
     def object_poses(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -244,6 +310,7 @@ class Status(graspless._named.Named):
     Outcome of a query.
     """
     interrupted = ...
+    no_place = ...
     not_found = ...
     out_of_memory = ...
     solved = ...
@@ -269,6 +336,14 @@ class Plan:
         """
     @joint_names.setter
     def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def place(self) -> int:
+        """
+        Index of the place where the object is put down; -1: none.
+        """
+    @place.setter
+    def place(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def reached(self) -> float:
@@ -312,7 +387,7 @@ class Plan:
         ...
 def certify(problem: Problem, plan: Plan, options: Options = ...) -> graspless._core.scene.EdgeCertificate:
     """
-    Proves what check() samples between the rows: nothing touches that may not, and the object keeps to its straight path.
+    Proves what check() samples between the rows: nothing touches that may not, and the object keeps to its straight path, or tilts no more than it may.
     
     Returns a scene.EdgeCertificate. Raises ValueError if the plan is not solved or malformed.
     """
@@ -324,7 +399,7 @@ def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     """
 def plan(problem: Problem, options: Options = ..., budget: graspless._core.planning.Budget = ...) -> Plan:
     """
-    Plans a motion of the arm that carries the object along a straight path to its goal.
+    Plans a motion of the arm that carries the object along a straight path to its goal, or puts it down at a place.
     
     Finding no plan is a status, not an error.
     

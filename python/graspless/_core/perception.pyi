@@ -399,7 +399,7 @@ class Scene:
         """
         True if at least one support was found.
         """
-    def __init__(self, *, status: Status, reason: str, supports: collections.abc.Sequence[Support], objects: collections.abc.Sequence[Object], unseen: collections.abc.Sequence[Unseen], warnings: collections.abc.Sequence[str]) -> None:
+    def __init__(self, *, status: Status, reason: str, supports: collections.abc.Sequence[Support], objects: collections.abc.Sequence[Object], unseen: collections.abc.Sequence[Unseen], warnings: collections.abc.Sequence[str], stamp: typing.SupportsFloat | typing.SupportsIndex | None = None) -> None:
         """
         Any field by keyword.
         """
@@ -415,6 +415,14 @@ class Scene:
         """
         What was found, or why nothing was, and what to do.
         """
+    @property
+    def stamp(self) -> float | None:
+        """
+        When the images were taken [s since 1970]; None if unknown.
+        """
+    @stamp.setter
+    def stamp(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+        ...
     @property
     def status(self) -> Status:
         """

@@ -87,10 +87,9 @@ class Plan(AnyPlan):
         """
         found = [np.eye(4)]
         for before, stage in pairwise(self.stages):
-            both = before.kind == "fingertip" and stage.kind in ON_SUPPORT
-            X_OO = (
-                np.linalg.inv(ends(before).X_WO) @ begins(stage)[1] if both and stage else np.eye(4)
-            )
+            X_OO = np.eye(4)
+            if before.kind == "fingertip" and stage.kind in ON_SUPPORT and stage:
+                X_OO = np.linalg.inv(ends([before]).X_WO) @ begins(stage)[1]
             found.append(found[-1] @ X_OO)
         return found
 
@@ -128,14 +127,17 @@ class Plan(AnyPlan):
 
     @classmethod
     def _search(cls, task: Any, budget: planning.Budget) -> Plan:
-        found = _search(task, budget)
+        return cls._of_search(_search(task, budget), task)
+
+    @classmethod
+    def _of_search(cls, found: _Found, task: Any) -> Plan:
         stages = found.stages
         fields = {
             "status": found.status,
             "reason": found.reason,
             "stats": found.statistics.as_dict() | {"planned_stages": len(stages)},
             "names": [stage.name for stage in task.problem.stages[: len(stages)]],
-            "joins": [join(before) for before in stages[:-1]],
+            "joins": [join(stages[:k]) for k in range(1, len(stages))],
             "segments": [
                 {"name": segment.name, "stage": k, "segment": i}
                 for k, stage in enumerate(stages)
@@ -177,6 +179,25 @@ def _ended(name: str, stages: list[Any]) -> enum.Enum:
         raise TaskError(f"status: {name}: no stage of the chain has it")
     status: enum.Enum = failed
     return status
+
+
+def continued(before: Plan, task: Any, budget: planning.Budget) -> Plan:
+    """Returns a solved plan with one more stage, the last one of `task`.
+
+    Parameters
+    ----------
+    before : Plan
+    task : Task
+        The task of `before`, with one more stage.
+    budget : planning.Budget
+        Budget of that stage.
+    """
+    began = time.monotonic()
+    found = _Found(stages=list(before.stages))
+    found.statistics = Statistics(attempts=before.statistics.attempts)
+    _add(found, task.problem.stages[-1], task, budget)
+    found.statistics.seconds = before.statistics.seconds + time.monotonic() - began
+    return Plan._of_search(found, task)
 
 
 @dataclass
@@ -258,7 +279,7 @@ def _start(found: _Found, stage: Stage, task: Task) -> Task:
     if not found.stages:
         first: Task = task.problem.first
         return first
-    return stage.task(start_at(stage, ends(found.stages[-1])))
+    return stage.task(start_at(stage, ends(found.stages)))
 
 
 __all__ = [
@@ -270,6 +291,7 @@ __all__ = [
     "Stage",
     "Statistics",
     "Status",
+    "continued",
 ]
 
 

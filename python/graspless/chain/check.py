@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +14,8 @@ from ..tasks.chain import ON_SUPPORT, start_at
 from .state import begins, corners, ends, join
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
     from ..tasks.chain import Stage
     from . import Plan
@@ -31,21 +32,21 @@ def check_joins(plan: Plan) -> list[str]:
     if len(plan.joins) != len(stages) - 1:
         return ["plan: there is not one join between each two stages"]
     faults = []
-    for k, (before, stage) in enumerate(pairwise(stages), start=1):
+    for k, stage in enumerate(stages[1:], start=1):
         where = f"stage {k} '{plan.names[k]}'"
-        faults += [f"{where}: {fault}" for fault in _continuity(before, stage)]
-        if join(before) != plan.joins[k - 1].model_dump(mode="json"):
+        faults += [f"{where}: {fault}" for fault in _continuity(stages[:k], stage)]
+        if join(stages[:k]) != plan.joins[k - 1].model_dump(mode="json"):
             faults.append(f"{where}: the join before it is not what the stage before it left")
     for k, stage in enumerate(stages):
-        wrong = _wrong_task(stage, asked[k], stages[k - 1] if k else None)
+        wrong = _wrong_task(stage, asked[k], stages[:k])
         faults += [f"stage {k} '{plan.names[k]}': {wrong}"] if wrong else []
     return faults + _check_contents(plan)
 
 
-def _wrong_task(stage: Any, asked: Stage, before: Any) -> str:
+def _wrong_task(stage: Any, asked: Stage, before: Sequence[Any]) -> str:
     """Returns the difference between the task of a stage and the chain's, or an empty text."""
     try:
-        fields = asked.fields if before is None else start_at(asked, ends(before))
+        fields = asked.fields if not before else start_at(asked, ends(before))
     except TaskError as error:
         return f"cannot start where the stage before it ended: {error}"
     wrong = differs(_plain(fields), _plain(stage.task.fields))
@@ -70,8 +71,8 @@ def _plain(fields: Any) -> dict[str, Any]:
     return document
 
 
-def _continuity(before: Any, stage: Any) -> list[str]:
-    state, (q, X_WO) = ends(before), begins(stage)
+def _continuity(earlier: Sequence[Any], stage: Any) -> list[str]:
+    before, state, (q, X_WO) = earlier[-1], ends(earlier), begins(stage)
     faults = []
     if (q is None) != (state.q is None):
         faults.append("has an arm, or none, other than the stage before it")

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
-from ..tasks.chain import ON_SUPPORT, Held, State
+from ..tasks.chain import HOLDING, ON_SUPPORT, Held, State
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
 
 
@@ -20,10 +22,11 @@ def begins(plan: Any) -> tuple[Matrix | None, Matrix]:
     return _moment(plan, first=True)
 
 
-def ends(plan: Any) -> State:
-    """Returns the state at the end of a solved plan."""
+def ends(plans: Sequence[Any]) -> State:
+    """Returns the state at the end of the last of some solved plans, one after the other."""
+    plan = plans[-1]
     q, X_WO = _moment(plan, first=False)
-    return State(X_WO, q, _held(plan), corners(plan, X_WO))
+    return State(X_WO, q, _held(plans), corners(plan, X_WO))
 
 
 def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
@@ -41,9 +44,9 @@ def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
     return p_W
 
 
-def join(before: Any) -> dict[str, Any]:
-    """Returns the state between two stages in the form of a plan file."""
-    state = ends(before)
+def join(plans: Sequence[Any]) -> dict[str, Any]:
+    """Returns the state after the last of some plans in the form of a plan file."""
+    state = ends(plans)
     how = "held" if state.held else "regrasp" if state.q is None else "arm"
     q = None if state.q is None else np.asarray(state.q).tolist()
     return {"how": how, "X_WO": frames.to_row(state.X_WO), "positions": q}
@@ -60,12 +63,14 @@ def _moment(plan: Any, first: bool) -> tuple[Matrix | None, Matrix]:
     return segments[row].positions[row], segments[row].object_poses[row]
 
 
-def _held(plan: Any) -> Held | None:
-    problem = plan.task.problem
-    if plan.kind in ON_SUPPORT:
-        return Held(problem.hand.arm, problem.hand.grasp_frame, plan.task.fields)
-    if plan.kind == "clasp":
-        return Held(problem.hand.arm, problem.hand.frame, plan.task.fields)
+def _held(plans: Sequence[Any]) -> Held | None:
+    plan = plans[-1]
+    problem, fields = plan.task.problem, plan.task.fields
+    if plan.kind not in HOLDING:
+        return None
+    closes = next(p for p in reversed(plans) if p.kind != "carry").segments[-1]
+    q_open = np.asarray(closes.positions[0])
     if plan.kind == "carry":
-        return Held(problem.arm, problem.frame, plan.task.fields)
-    return None
+        return None if fields.place else Held(problem.arm, problem.frame, fields, q_open)
+    frame = problem.hand.frame if plan.kind == "clasp" else problem.hand.grasp_frame
+    return Held(problem.hand.arm, frame, fields, q_open)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -50,6 +51,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="scene.yaml",
         help="scene file to write, with an .npz file beside it (default: %(default)s)",
     )
+    parser.add_argument(
+        "--stamp",
+        type=float,
+        metavar="S",
+        help="when the images were taken [s since 1970], so that `graspless pick --max-age` can "
+        "refuse an old scene",
+    )
     parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.set_defaults(run=_run)
@@ -60,6 +68,8 @@ def _run(options: argparse.Namespace) -> int:
 
     if Path(options.output).suffix.lower() not in (".yaml", ".yml"):
         raise TaskError(f"{options.output}: unknown kind of scene file (choices: .yaml, .yml)")
+    if options.stamp is not None and not math.isfinite(options.stamp):
+        raise TaskError(f"--stamp: {options.stamp}: should be a time in seconds since 1970")
     files.check_writable(options.output)
     if options.png is not None:
         view.check_png(options.png)
@@ -69,6 +79,7 @@ def _run(options: argparse.Namespace) -> int:
         scene = perception.perceive_views(views)
     except ValueError as error:
         raise TaskError(f"{', '.join(options.files)}: {error}") from None
+    scene.stamp = options.stamp
     perception.save_scene(scene, options.output)
     if options.png is not None:
         view.write_scene_png(scene, options.png)

@@ -16,7 +16,12 @@ if TYPE_CHECKING:
 
 
 def perceive(
-    depth: ArrayLike, K: ArrayLike, X_WC: ArrayLike, options: Options | None = None
+    depth: ArrayLike,
+    K: ArrayLike,
+    X_WC: ArrayLike,
+    options: Options | None = None,
+    *,
+    stamp: float | None = None,
 ) -> Scene:
     """Finds supports, objects and unseen space in depth images of a still scene.
 
@@ -33,6 +38,9 @@ def perceive(
         world's z points up.
     options : Options, optional
         Settings of the search.
+    stamp : float, optional
+        When the images were taken [s since 1970]: the scene keeps it, and `graspless.pick` can
+        refuse a scene that is too old.
 
     Returns
     -------
@@ -61,7 +69,9 @@ def perceive(
             strict=True,
         )
     ]
-    return perceive_views(views, Options() if options is None else options)
+    scene = perceive_views(views, Options() if options is None else options)
+    scene.stamp = stamp
+    return scene
 
 
 def _each(

@@ -93,6 +93,9 @@ class SceneFields(Fields):
     kind: Literal["scene"]
     status: Literal["found", "no_depth", "not_metres", "no_support", "camera_below"]
     reason: str
+    stamp: float | None = Field(
+        default=None, description="when the images were taken [s since 1970]"
+    )
     warnings: list[str] = []
     supports: list[SupportFields] = []
     objects: list[ObjectFields] = []
@@ -136,6 +139,7 @@ def save_scene(scene: Scene, path: str | Path) -> None:
         "kind": "scene",
         "status": scene.status.name,
         "reason": scene.reason,
+        **({} if scene.stamp is None else {"stamp": scene.stamp}),
         "warnings": list(scene.warnings),
         "supports": [_support(support) for support in scene.supports],
         "objects": [_object(thing) for thing in scene.objects],
@@ -184,6 +188,7 @@ def load_scene(path: str | Path) -> Scene:
                 for space in fields.unseen
             ],
             warnings=fields.warnings,
+            stamp=fields.stamp,
         )
     except ValueError as error:
         raise TaskError(f"{path}: {error}") from None

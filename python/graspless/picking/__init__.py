@@ -5,21 +5,21 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from .. import planning
-from .._api import check, plan_since
 from .._arguments import require_integer
-from ..errors import OutOfTimeError, TaskError
+from ..errors import TaskError
 from ..report import least_seconds
-from ..tasks import task_from_dict
-from .measured import doubt
-from .result import FAULTY, NOT_TRIED, REFUSED, Attempt, Pick
-from .strategies import STRATEGIES, chain_of, explained, refusal, require_strategies
-from .wish import wish_of
+from . import place as places
+from .result import NOT_TRIED, REFUSED, STALE, Attempt, Pick
+from .strategies import STRATEGIES, require_strategies
+from .trying import attempt_plan
+from .wish import read_scene, stale, wish_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
     from pathlib import Path
 
     from ..chain import Plan
@@ -27,25 +27,23 @@ if TYPE_CHECKING:
     from ..tasks.scenes import Respect
     from .wish import Wish
 
-# Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
-SEEDS = {"pinch": 1, "slide": 8, "clasp": 1}
-APART = 2**32  # between their seeds: those of `best_of` follow each other
-
 
 def pick(
     scene: Scene | str | Path,
     name: str,
-    robot: str | Mapping[str, Any],
+    robot: str | Mapping[str, Any] | Sequence[str | Mapping[str, Any]],
     *,
     strategies: Sequence[str] = STRATEGIES,
+    place: Mapping[str, Any] | None = None,
     lift: float = 0.1,
     respect: Respect = "objects",
     mass: float | None = None,
+    max_age: float | None = None,
     best_of: int = 1,
     seconds: float = 10.0,
     seed: int = 1,
 ) -> Pick:
-    """Plans how the robot picks up an object of a scene.
+    """Plans how a robot picks up an object of a scene.
 
     The strategies are tried in the order of the time that they usually take: pinch the object where
     it stands; slide it to a real edge of its support and grasp it there; clasp a hole or handle.
@@ -59,16 +57,24 @@ def pick(
         Result of `graspless.perceive`, or a scene file.
     name : str
         Name of the object in the scene.
-    robot : str or dict
+    robot : str, dict or sequence of these
         A robot that comes with graspless, the path of a URDF, or the field `robot` of a task file.
+        Of several robots, each tries a strategy before the next one is tried; `Pick.robot` is the
+        one of the plan.
     strategies : sequence of str
         Strategies to try, in this order: pinch, slide, clasp.
+    place : dict, optional
+        Where the object is put down after the lift, as in task files: a pose, a region or a
+        support of the scene. Otherwise the plan ends with the object in the hand.
     lift : float
         Height of the lift [m].
     respect : str
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
         Mass of the object for simulations [kg].
+    max_age : float, optional
+        Largest age of the images of the scene [s]. An older scene, and one without a `stamp`, is
+        refused.
     best_of : int
         Number of plans to find, from which the one of the shortest duration at the joints' speed
         limits is returned. More than one takes the whole time if fewer are found.
@@ -86,89 +92,89 @@ def pick(
     Raises
     ------
     TaskError
-        The scene is empty or not valid, it has no such object, there is no such robot or strategy,
+        The scene is empty or not valid, it has no such object or support, there is no such robot
+        or strategy,
         the robot has no hand that one of the strategies could use, or a number is out of range.
     """
     began = time.monotonic()
     asked = require_strategies(strategies)
     best_of = require_integer("best_of", best_of, least=1)
     budget = planning.Budget(seconds=seconds, seed=seed)
-    wish = wish_of(scene, name, robot, lift=lift, respect=respect, mass=mass)
-    found = Pick(wish.name, [Attempt(strategy, NOT_TRIED) for strategy in asked])
-    plans: list[Plan] = []
+    scene, file = read_scene(scene)
+    wishes = {
+        label: wish_of(scene, file, name, one, lift=lift, respect=respect, mass=mass)
+        for label, one in labelled(robot).items()
+    }
+    tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
+    found = Pick(name, tries)
+    first = next(iter(wishes.values()))
+    target = None if place is None else places.target_of(first, place)
+    old = "" if max_age is None else stale(scene, max_age)
+    nowhere = "" if target is None or old else places.refusal(target)
+    if old or nowhere:
+        what = Attempt("scene", STALE, old) if old else Attempt("place", REFUSED, nowhere)
+        found.attempts = [what, *tries]
+    else:
+        _search(found, wishes, target, best_of, budget, began)
+        _require_usable(found)
+    found.seconds = time.monotonic() - began
+    return found
+
+
+def _search(
+    found: Pick,
+    wishes: Mapping[str, Wish],
+    target: places.Target | None,
+    best_of: int,
+    budget: planning.Budget,
+    began: float,
+) -> None:
+    """Tries the strategies until there are `best_of` plans, and keeps the shortest one."""
+    plans: list[tuple[Plan, str]] = []
     for k in range(best_of):
         for i, attempt in enumerate(found.attempts):
             left = budget.seconds - (time.monotonic() - began)
             if attempt.status == REFUSED or left <= 0 or len(plans) == best_of:
                 continue
-            share = left / (len(asked) - i)
-            opening = next((a.opening for a in found.attempts if a.opening is not None), None)
-            plan = _attempt(attempt, wish, opening, (budget.seed + k) % 2**64, share)
+            same = (other for other in found.attempts if other.robot == attempt.robot)
+            opening = next((a.opening for a in same if a.opening is not None), None)
+            share = left / (len(found.attempts) - i)
+            seed = (budget.seed + k) % 2**64
+            wish = wishes[attempt.robot]
+            plan = attempt_plan(attempt, wish, target, opening, seed, share)
             if plan is not None:
-                plans.append(plan)
-    found.plan = min(plans, key=duration, default=None)
-    _require_usable(found)
-    found.seconds = time.monotonic() - began
-    return found
+                plans.append((plan, attempt.robot))
+    if plans:
+        found.plan, found.robot = min(plans, key=lambda one: duration(one[0]))
 
 
-def _attempt(
-    attempt: Attempt, wish: Wish, opening: float | None, seed: int, seconds: float
-) -> Plan | None:
-    """Plans a strategy, and notes what became of it. `opening` is that of the hand, if known."""
-    began = time.monotonic()
-    try:
-        attempt.reason = refusal(attempt.strategy, wish, opening)
-        if attempt.reason:
-            attempt.status = REFUSED
-            return None
-        plan, doubted = _measured_plan(attempt.strategy, wish, seed, seconds)
-        faults = check(plan) if plan and not doubted else []
-    except OutOfTimeError as error:
-        attempt.status, attempt.reason = "out_of_time", str(error)
-        return None
-    except TaskError as error:
-        attempt.status, attempt.reason = REFUSED, str(error).removeprefix(f"{attempt.strategy}: ")
-        attempt.is_mistake = True
-        return None
-    finally:
-        attempt.seconds += time.monotonic() - began
-    if attempt.strategy == "pinch" and plan.stages:
-        first: Any = plan.stages[0]
-        attempt.opening = float(first.opening)
-    if plan or attempt.status != "solved":
-        attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
-    if doubted:
-        attempt.status, attempt.reason = REFUSED, doubted
-        return None
-    if faults:
-        attempt.status, attempt.reason = FAULTY, faults[0]
-        return None
-    return plan if plan else None
+def labelled(robot: Any) -> dict[str, Any]:
+    """Returns robots by name: that of the URDF; the second one of a name ends with (2).
 
-
-def _measured_plan(strategy: str, wish: Wish, seed: int, seconds: float) -> tuple[Plan, str]:
-    """Plans a strategy, and with other seeds while heights that were measured speak against it.
-
-    Returns the plan and what speaks against the last one, if anything does.
+    Raises TaskError if there is none.
     """
-    began = time.monotonic()
-    task = task_from_dict(chain_of(strategy, wish, seed, seconds), strategy, resolve=True)
-    for k in range(SEEDS[strategy]):
-        if k > 0 and time.monotonic() - began >= seconds:
-            break
-        plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
-        doubted = doubt(plan, wish) if plan else ""
-        if not doubted:
-            break
-    return plan, doubted
+    several = list(robot) if isinstance(robot, (list, tuple)) else [robot]
+    if not several:
+        raise TaskError("robot: none: at least one is needed")
+    labels: dict[str, Any] = {}
+    for one in several:
+        fields = one if isinstance(one, Mapping) else {"urdf": str(one)}
+        given = next((fields[key] for key in ("urdf", "name", "arm") if key in fields), "robot")
+        name = label = str(given).replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".urdf")
+        count = 1
+        while label in labels:
+            count += 1
+            label = f"{name} ({count})"
+        labels[label] = one
+    return labels
 
 
 def _require_usable(found: Pick) -> None:
     """Raises TaskError if no strategy came to a search, and one because of a mistake."""
     mistakes = [attempt for attempt in found.attempts if attempt.is_mistake]
     if mistakes and all(attempt.status == REFUSED for attempt in found.attempts):
-        raise TaskError(f"{mistakes[0].strategy}: {mistakes[0].reason}")
+        which = f"{mistakes[0].robot}: " if len({a.robot for a in found.attempts}) > 1 else ""
+        raise TaskError(f"{which}{mistakes[0].strategy}: {mistakes[0].reason}")
 
 
 def duration(plan: Plan) -> float:

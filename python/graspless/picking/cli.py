@@ -41,12 +41,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--robot",
         metavar="ROBOT",
-        help="robot that comes with graspless, or a URDF; needed unless a task file names it",
+        action="append",
+        help="robot that comes with graspless, or a URDF; needed unless a task file names it. "
+        "Repeat it for several robots, of which any may do it",
     )
     parser.add_argument(
         "--strategies",
         metavar="LIST",
         help="strategies to try, in this order (default: pinch,slide,clasp)",
+    )
+    parser.add_argument(
+        "--place",
+        metavar="YAML",
+        help="where to put the object down, as in task files: 'on: support_1', "
+        "'pose: {x: 0.6, y: 0.2, yaw: 0}' or 'region: {rectangle: {center: [x, y], size: [a, b]}}'",
     )
     parser.add_argument(
         "--lift", type=float, metavar="M", help="height of the lift [m] (default: 0.1)"
@@ -55,6 +63,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--respect",
         choices=["nothing", "objects", "unseen"],
         help="obstacles besides the support (default: objects)",
+    )
+    parser.add_argument(
+        "--max-age", type=float, metavar="S", help="refuse a scene whose images are older [s]"
     )
     parser.add_argument("--mass", type=float, metavar="KG", help="mass in simulations [kg]")
     parser.add_argument(
@@ -95,12 +106,13 @@ def _run(options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(found.as_dict() | {"faults": [], "written": written}))
     else:
-        print("\n".join(_lines(found, given["robot"], written)))
+        print("\n".join(_lines(found, written)))
     return FOUND if found else NOT_FOUND
 
 
 def _given(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the arguments of `pick`: of the task file, and in their place those of the flags."""
+    from ..tasks.source import parse_yaml
     from .task import read_pick
 
     given = read_pick(options.scene)
@@ -110,10 +122,13 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
         if options.name is None:
             raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
         given = {"scene": options.scene, "name": options.name}
-    flags = {name: getattr(options, name) for name in ("robot", "lift", "respect", "mass", "seed")}
+    same = ("robot", "lift", "respect", "max_age", "mass", "seed")
+    flags = {name: getattr(options, name) for name in same}
     flags |= {"best_of": options.best_of, "seconds": options.time}
     if options.strategies is not None:
         flags["strategies"] = options.strategies.split(",")
+    if options.place is not None:
+        given["place"] = parse_yaml(options.place, "--place").data
     given |= {name: value for name, value in flags.items() if value is not None}
     if "robot" not in given:
         known = ", ".join(_data.robots())
@@ -121,13 +136,19 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
     return given
 
 
-def _lines(found: Pick, robot: Any, written: list[str]) -> list[str]:
+def _way(found: Pick) -> str:
+    if found.plan is None:
+        return "no way to do it was found"
+    return ", then ".join(found.plan.names)
+
+
+def _lines(found: Pick, written: list[str]) -> list[str]:
     """Returns the summary as text."""
     from .. import report
 
     took = f"{1000 * found.seconds:.0f} ms"
-    what = "no way to pick it up was found" if not found else f"{found.strategy}, then lift"
-    shown = robot.get("urdf") or robot.get("name") if isinstance(robot, dict) else robot
+    what = _way(found)
+    shown = found.robot or " or ".join(dict.fromkeys(a.robot for a in found.attempts if a.robot))
     lines = [f"{found.name} with {shown}: {what}, in {took}"]
     lines += [f"  {line}" for line in found.table().splitlines()]
     if found.plan is not None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from ..chain import Plan
 
-NOT_TRIED, REFUSED, FAULTY = "not_tried", "refused", "faulty"
+NOT_TRIED, REFUSED, FAULTY, STALE = "not_tried", "refused", "faulty", "stale"
 
 
 @dataclass
@@ -20,13 +20,15 @@ class Attempt:
     Attributes
     ----------
     strategy : str
-        pinch, slide or clasp.
+        pinch, slide or clasp; scene or place if this rules out all of them.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
-        strategy was found before; faulty: its plan does not pass `check`; otherwise the status of
-        its plan.
+        strategy was found before; faulty: its plan does not pass `check`; stale: the scene is too
+        old; otherwise the status of its plan.
     reason : str
         One sentence; empty if it was solved or not tried. A clasp that was solved has a warning.
+    robot : str
+        Name of the robot that tried it.
     seconds : float
         Time that it took [s].
     opening : float or None
@@ -38,6 +40,7 @@ class Attempt:
     strategy: str
     status: str
     reason: str = ""
+    robot: str = ""
     seconds: float = 0.0
     opening: float | None = field(default=None, repr=False)
     is_mistake: bool = field(default=False, repr=False)
@@ -54,7 +57,9 @@ class Pick:
     attempts : list of Attempt
         Strategies in the order in which they were tried.
     plan : chain.Plan or None
-        Plan of the best strategy: it ends with the object lifted.
+        Plan of the best strategy: it ends with the object lifted, or put down.
+    robot : str or None
+        Name of the robot of the plan.
     seconds : float
         Time of all strategies together [s].
     """
@@ -62,6 +67,7 @@ class Pick:
     name: str
     attempts: list[Attempt]
     plan: Plan | None = None
+    robot: str | None = None
     seconds: float = 0.0
 
     def __bool__(self) -> bool:
@@ -77,19 +83,28 @@ class Pick:
         """Results of all strategies in one line; empty if there is a plan."""
         if self:
             return ""
-        return "; ".join(f"{a.strategy}: {a.reason or a.status}" for a in self.attempts)
+        return "; ".join(
+            f"{self._who(a)}{a.strategy}: {a.reason or a.status}" for a in self.attempts
+        )
+
+    def _who(self, attempt: Attempt) -> str:
+        """Returns the name of an attempt's robot if there are several."""
+        several = len({a.robot for a in self.attempts if a.robot}) > 1
+        return f"{attempt.robot} " if several and attempt.robot else ""
 
     def as_dict(self) -> dict[str, Any]:
         """Returns a summary in plain types."""
         return {
             "name": self.name,
             "strategy": self.strategy,
+            "robot": self.robot,
             "seconds": self.seconds,
             "attempts": [
                 {
                     "strategy": a.strategy,
                     "status": a.status,
                     "reason": a.reason,
+                    "robot": a.robot,
                     "seconds": a.seconds,
                 }
                 for a in self.attempts
@@ -102,8 +117,8 @@ class Pick:
         for a in self.attempts:
             what = f"{a.status}: {a.reason}" if a.reason else a.status
             took = f"  ({1000 * a.seconds:.0f} ms)" if a.seconds else ""
-            lines.append(f"{a.strategy:6} {what}{took}")
+            lines.append(f"{self._who(a)}{a.strategy:6} {what}{took}")
         return "\n".join(lines)
 
 
-__all__ = ["NOT_TRIED", "REFUSED", "Attempt", "Pick"]
+__all__ = ["FAULTY", "NOT_TRIED", "REFUSED", "STALE", "Attempt", "Pick"]

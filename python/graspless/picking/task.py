@@ -7,13 +7,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
 from ..tasks.scenes import RESPECT, Respect
 from ..tasks.shapes import Fields, Positive
 from ..tasks.source import Source, read_yaml
+from .place_fields import Place
 from .strategies import STRATEGIES
 
 
@@ -23,17 +24,29 @@ class PickTask(Fields):
     kind: Literal["pick"]
     scene: str = Field(description="scene file of `graspless see`")
     name: str = Field(description="name of the object in the scene")
-    robot: dict[str, Any] = Field(description="as in all tasks")
+    robot: dict[str, Any] | None = Field(default=None, description="as in all tasks")
+    robots: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = Field(
+        default=None, description="instead: several robots, of which any may do it"
+    )
     strategies: Annotated[list[str], Field(min_length=1)] = Field(
         default=list(STRATEGIES), description="strategies to try, in this order"
     )
+    place: Place | None = Field(default=None, description="where the object is put down")
     lift: Positive = Field(default=0.1, description="height of the lift [m]")
     respect: Respect = Field(default="objects", description=RESPECT)
+    max_age: Positive | None = Field(
+        default=None, description="largest age of the images of the scene [s]"
+    )
     mass: Positive | None = Field(default=None, description="mass in simulations [kg]")
     best_of: Annotated[int, Field(ge=1)] = Field(
         default=1, description="number of plans, of which the shortest is kept"
     )
     budget: Budget = Budget.model_construct()
+
+    @model_validator(mode="after")
+    def _check(self) -> PickTask:
+        self.one_of("robot", "robots")
+        return self
 
 
 def read_pick(path: str) -> dict[str, Any] | None:
@@ -48,9 +61,11 @@ def read_pick(path: str) -> dict[str, Any] | None:
         return None
     fields: PickTask = source.validate(PickTask)
     directory = Path(path).resolve().parent
-    given = fields.model_dump(exclude={"kind", "budget"})
+    given = fields.model_dump(exclude={"kind", "budget", "robots"})
     given["scene"] = str(directory / fields.scene)
-    given["robot"] = absolute(fields.robot, directory)
+    if fields.place is not None:
+        given["place"] = fields.place.model_dump(exclude_none=True)
+    given["robot"] = absolute(fields.robots or fields.robot, directory)
     budget = fields.budget.model_dump(exclude_none=True)
     return given | {name: budget[name] for name in ("seconds", "seed") if name in budget}
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,6 +31,9 @@ if TYPE_CHECKING:
     from ..perception import Object, Support
 
 
+CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
+
+
 class RobotOnly(Fields):
     """A document with a robot."""
 
@@ -46,6 +50,8 @@ class Wish:
         The object, and what it stands on.
     others : list of Object
         All other objects of the scene.
+    supports : list of Support
+        All supports of the scene.
     robot : dict
         Field `robot` of a task file.
     lift : float
@@ -59,6 +65,7 @@ class Wish:
     thing: Object
     support: Support
     others: list[Object]
+    supports: list[Support]
     robot: dict[str, Any]
     lift: float
     mass: float | None
@@ -89,10 +96,16 @@ class Wish:
 
 
 def wish_of(
-    scene: Any, name: str, robot: Any, *, lift: float, respect: str, mass: float | None
+    scene: Scene,
+    file: str,
+    name: str,
+    robot: Any,
+    *,
+    lift: float,
+    respect: str,
+    mass: float | None,
 ) -> Wish:
-    """Returns what is asked for. Raises TaskError if there is no such object, or nothing at all."""
-    scene, file = _read(scene)
+    """Returns what is asked for. Raises TaskError if there is no such object. `file` is named."""
     if not 0 < lift < 10:
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
     if mass is not None and not 0 < mass < 1e6:
@@ -108,11 +121,12 @@ def wish_of(
         thing=thing,
         support=support,
         others=[other for other in scene.objects if other.name != name],
+        supports=list(scene.supports),
         robot=fields,
         lift=float(lift),
         mass=mass,
-        beside=_documents(scenes.obstacles(scene, thing, respect, has_support=False)),
-        around=_documents(scenes.obstacles(scene, thing, respect, has_support=True)),
+        beside=documents(scenes.obstacles(scene, thing, respect, has_support=False)),
+        around=documents(scenes.obstacles(scene, thing, respect, has_support=True)),
     )
 
 
@@ -132,7 +146,7 @@ def support_fields(wish: Wish, edges: list[int] | None) -> dict[str, Any]:
     """Returns the support of a slide or a pinch."""
     given: dict[str, Any] = {
         "polygon": rows_of(wish.support.polygon),
-        "pose": _plain(pose_fields(wish.support.X_WS)),
+        "pose": plain(pose_fields(wish.support.X_WS)),
     }
     return given if edges is None else given | {"usable_edges": edges}
 
@@ -142,13 +156,28 @@ def cloud_fields(wish: Wish) -> dict[str, Any]:
     return {
         "name": wish.name,
         "points": rows_of(wish.thing.points),
-        "pose": _plain(pose_fields(wish.thing.X_WO)),
+        "pose": plain(pose_fields(wish.thing.X_WO)),
         "rays": [rays_fields(image) for image in wish.thing.rays],
         **({} if wish.mass is None else {"mass": wish.mass}),
     }
 
 
-def _read(scene: Any) -> tuple[Scene, str]:
+def stale(scene: Scene, max_age: float) -> str:
+    """Says why a scene is too old, or nothing."""
+    if not 0 < max_age < float("inf"):
+        raise TaskError(f"max_age: {max_age!r}: should be an age in (0, inf) s")
+    if scene.stamp is None:
+        return f"nobody noted when its images were taken; at most {max_age:g} s ago is allowed"
+    age = time.time() - scene.stamp
+    if age < -CLOCKS:
+        return f"its images were taken {-age:.1f} s in the future: the clocks differ"
+    if age > max_age:
+        return f"its images were taken {age:.1f} s ago, at most {max_age:g} s are allowed"
+    return ""
+
+
+def read_scene(scene: Any) -> tuple[Scene, str]:
+    """Returns a scene with an object, and what to call it. Raises TaskError if there is nothing."""
     from ..perception import load_scene
 
     if isinstance(scene, Scene):
@@ -163,11 +192,13 @@ def _read(scene: Any) -> tuple[Scene, str]:
     return scene, file
 
 
-def _plain(fields: dict[str, Any]) -> dict[str, list[float]]:
+def plain(fields: dict[str, Any]) -> dict[str, list[float]]:
+    """Returns fields of arrays as lists."""
     return {key: [float(value) for value in row] for key, row in fields.items()}
 
 
-def _documents(obstacles: list[Any]) -> list[dict[str, Any]]:
+def documents(obstacles: list[Any]) -> list[dict[str, Any]]:
+    """Returns obstacles in the words of task files."""
     return [
         obstacle.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
         for obstacle in obstacles

@@ -23,7 +23,7 @@ class Segment(Table):
 
     MAKE: ClassVar = carry.Segment
 
-    name: str = Field(description="carry")
+    name: str = Field(description="carry; with places transfer, lower, open or retreat")
     positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
         description="[N][7] poses of the object, x y z qw qx qy qz in the world"
@@ -38,6 +38,9 @@ class CarryPlanFile(PlanFields):
     joint_names: list[str]
     reached: Annotated[float, Field(ge=0, le=1)] = Field(
         description="fraction of the path that was reached, in [0, 1]"
+    )
+    place: Annotated[int, Field(ge=-1)] = Field(
+        default=-1, description="index of the place where the object is put down; -1: none"
     )
     segments: list[Segment]
     task: CarryTask = Field(

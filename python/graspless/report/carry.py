@@ -18,6 +18,7 @@ def details(plan: Plan) -> dict[str, Any]:
     """Returns the fields of `--json` that only this kind has."""
     return {
         "reached": plan.reached,
+        "place": plan.place,
         "segments": [
             {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
             for s in plan.segments
@@ -27,14 +28,20 @@ def details(plan: Plan) -> dict[str, Any]:
 
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, and how far the object moves."""
+    return [*(segment_line(plan, segment) for segment in plan.segments), f"the hand {moved(plan)}"]
+
+
+def moved(plan: Plan) -> str:
+    """Says in a few words how a solved plan moves its object."""
     problem = plan.task.problem
-    start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
-    distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
-    name = problem.object.name
-    moved = f"the hand carries the {name} {distance * 100:.1f} cm along a straight path"
-    return [*(segment_line(plan, segment) for segment in plan.segments), moved]
+    start, goal = np.asarray(problem.object.X_WB), plan.segments[-1].object_poses[-1]
+    distance = f"{100 * float(np.linalg.norm(goal[:3, 3] - start[:3, 3])):.1f} cm"
+    if problem.places is None:
+        return f"carries the {problem.object.name} {distance} along a straight path"
+    return f"puts the {problem.object.name} down on {problem.places.on}, {distance} away"
 
 
 def lines_not_found(plan: Plan) -> list[str]:
     """Returns how far the arm can follow the path, and why steps were rejected."""
-    return [f"reached: {100 * plan.reached:.0f} % of the path", *refused(plan)]
+    reached = [f"reached: {100 * plan.reached:.0f} % of the path"]
+    return [*(reached if plan.task.problem.places is None else []), *refused(plan)]

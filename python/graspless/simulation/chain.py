@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Simulation of chains: a slide or a pinch followed by carries, executed in one run.
 
-The carries replace the lift by 10 cm of a slide or a pinch alone. A chain of one of these is
-simulated as that one. Other chains are not simulated.
+The carries replace the lift by 10 cm of a slide or a pinch alone. If the last one puts the object
+down, the hand opens, withdraws, and the object must stand where it was put. A chain of a slide or a
+pinch alone is simulated as that one. Other chains are not simulated.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ from .. import timing
 from ..errors import TaskError
 from .results import Trial
 from .settings import Slide
-from .slide import FAILURES, SPREAD, Body, Execution, execute, running
+from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
+from .slide import SPREAD, Body, Execution, execute, running
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from .._plan import Plan as AnyPlan
     from ..chain import Plan
@@ -31,11 +33,18 @@ if TYPE_CHECKING:
     from .results import Recording, Running
     from .variation import Variation
 
+OPEN, RETREAT, REST = "open", "retreat", "rest"
+FAILURES = {
+    **SLIDE_FAILURES,
+    "not_placed": "the object did not stand free of the hand, where it was to be put down",
+}
 MEASURES = {
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 if the hand still held the object at the end as it had grasped it",
     "carried": "distance that the hand moved the object, from squeeze to hold [m]",
     "carry_error": "difference between that motion of the object and the planned one [m]",
+    "place_error": "distance of the object from its place, at the end [m]",
+    "place_angle": "angle between the object and its pose at that place [rad]",
 }
 
 
@@ -93,7 +102,7 @@ def _with_plan(recording: Recording, plan: Plan) -> Recording:
     """Adds the planned poses of the object to a recording: on the support, then in the hand."""
     first, *carries = plan.stages
     poses = timing.time(first).followed(recording.names, recording.times)
-    after = np.isin(recording.names, (RAISE, HOLD))
+    after = np.isin(recording.names, (RAISE, HOLD, OPEN, RETREAT, REST))
     if after.any():
         begin = float(recording.times[after][0])
         for stage in carries:
@@ -117,24 +126,54 @@ class _Carried(Execution):
             program = make_program(first, timing.time(first), timestep, settings)
             return with_carries(program, carries, timestep)
 
-        super().__init__(first, variation, settings, obstacles_of(plan.stages), control, truth)
-        self.measures = {"kept": 0.0}
-        begin, end = (
-            stage.segments[0].object_poses[row]
-            for stage, row in ((carries[0], 0), (carries[-1], -1))
+        last: Any = carries[-1]
+        places = last.task.problem.places
+        super().__init__(
+            first,
+            variation,
+            settings,
+            obstacles_of(plan.stages),
+            control,
+            truth,
+            standing=None if places is None else places.on,
         )
-        self._asked: Matrix = end[:3, 3] - begin[:3, 3]
+        self.measures = {"kept": 0.0}
+        self._until = HOLD if places is None else REST
+        begin: Matrix = carries[0].segments[0].object_poses[0]
+        self._place: Matrix = last.segments[-1].object_poses[-1]
+        self._asked: Matrix = self._place[:3, 3] - begin[:3, 3]
         self._lowest = min(
             float(segment.object_poses[:, 2, 3].min())
             for stage in carries
             for segment in stage.segments
         )
 
+    def run(self, until: str = "") -> None:
+        """Runs to the end of a phase, by default of the last one."""
+        super().run(until or self._until)
+
+    def steps(self, until: str = "") -> Iterator[str]:
+        """Does the same; yields the phase before each step."""
+        return super().steps(until or self._until)
+
     def _end_of(self, phase: str, following: str) -> None:
         super()._end_of(phase, following)
+        if phase == REST:
+            self._measure_place()
         if phase == SQUEEZE:
             self._from = self.judge.pose(self.data)[:3, 3]
             self.judge.lowest = min(self.judge.lowest, self._lowest - self.settings.fell)
+
+    def _measure_place(self) -> None:
+        X_WO = self.judge.pose(self.data)
+        position = float(np.linalg.norm((X_WO - self._place)[:3, 3]))
+        cosine = (np.trace(self._place[:3, :3].T @ X_WO[:3, :3]) - 1) / 2
+        angle = float(np.arccos(np.clip(cosine, -1, 1)))
+        self.measures |= {"place_error": position, "place_angle": angle}
+        allowed = self.settings.placed
+        stands = position <= allowed[0] and angle <= allowed[1]
+        if not stands or self.judge.is_touched(self.data):
+            self.judge.note("not_placed")
 
     def _measure_lift(self, phase: str) -> None:
         moved = self.judge.pose(self.data)[:3, 3] - self._from
@@ -178,19 +217,39 @@ def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) 
         Time step [s].
     """
     begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
-    moved = [stretch(timing.time(stage), 0, timestep) for stage in carries]
-    squeeze = program.positions[begin - 1] - moved[0][0]
-    raised = np.concatenate(moved) + squeeze
-    count = int(np.count_nonzero(program.phase == hold))
-    held = np.repeat(raised[-1:], count, axis=0)
-    positions = np.concatenate([program.positions[:begin], raised, held])
-    phases = [len(raised) * [program.names.index(RAISE)], count * [hold]]
+    names, moved = _motions(carries, timestep)
+    carried = [values for name, values in zip(names, moved, strict=True) if name == RAISE]
+    squeeze = program.positions[begin - 1] - carried[0][0]
+    raised = np.concatenate(carried) + squeeze
+    still = int(np.count_nonzero(program.phase == hold))
+    parts = [(RAISE, raised), (HOLD, np.repeat(raised[-1:], still, axis=0))]
+    for name, values in zip(names, moved, strict=True):
+        if name == OPEN:  # the squeeze goes, too
+            left = np.linspace(1, 0, len(values))[:, None]
+            parts.append((OPEN, values + left * squeeze))
+        elif name == RETREAT:
+            parts += [(RETREAT, values), (REST, np.repeat(values[-1:], still, axis=0))]
+    names = list(dict.fromkeys([*program.names, *(name for name, _ in parts)]))
+    positions = np.concatenate([program.positions[:begin], *(values for _, values in parts)])
+    phases = [np.full(len(values), names.index(name)) for name, values in parts]
     return dataclasses.replace(
         program,
         positions=positions,
         velocities=np.gradient(positions, timestep, axis=0),
         phase=np.concatenate([program.phase[:begin], *phases]),
+        names=names,
     )
+
+
+def _motions(carries: Sequence[AnyPlan], timestep: float) -> tuple[list[str], list[Matrix]]:
+    """Returns the motions of carries at even times, each with the name of its phase."""
+    names, moved = [], []
+    for stage in carries:
+        trajectory = timing.time(stage)
+        for i, segment in enumerate(trajectory.segments):
+            names.append(segment.name if segment.name in (OPEN, RETREAT) else RAISE)
+            moved.append(stretch(trajectory, i, timestep))
+    return names, moved
 
 
 __all__ = [

@@ -203,6 +203,8 @@ class Slide:
     hold_seconds: float = 1.0  # a choice [s]
     off_target: tuple[float, float] = (0.005, 0.0873)  # nominal: 5 mm, 5 degrees [m, rad]
     off_target_varied: tuple[float, float] = (0.010, 0.1745)  # varied: 10 mm, 10 degrees [m, rad]
+    placed: tuple[float, float] = (0.015, 0.175)  # of an object that was put down: 15 mm and 10
+    # degrees, a choice: hands that open unevenly push it by some millimetres [m, rad]
     tipped: float = 0.175  # tilt of an object that is about to fall, 10 degrees [rad]
     fell: float = 0.02  # drop of the object that counts as a fall [m]
     lost_seconds: float = 0.1  # without contact while it slides [s]

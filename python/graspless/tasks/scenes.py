@@ -91,8 +91,7 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
             top = 0.0
         else:
             continue
-        parts = _prisms(support.polygon, top - SLAB, top)
-        found.append(Obstacle(name=f"scene {support.name}", parts=parts, pose=_pose(support.X_WS)))
+        found.append(slab(support, top))
     if respect == "unseen":
         spaces = [space for space in scene.unseen if space.behind != thing.name]
         found += [
@@ -100,6 +99,12 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
             for i, space in enumerate(spaces)
         ]
     return found
+
+
+def slab(support: Support, top: float = 0.0) -> Obstacle:
+    """Returns a support as an obstacle; `top` is the height of its upper face in S [m]."""
+    parts = _prisms(support.polygon, top - SLAB, top)
+    return Obstacle(name=f"scene {support.name}", parts=parts, pose=_pose(support.X_WS))
 
 
 def _prisms(corners: Matrix, low: float, high: float) -> list[Shape]:

@@ -232,6 +232,8 @@ def _note_lines(
         for key, value in node.value:
             if not isinstance(key, yaml.ScalarNode):
                 raise TaskError(f"{file}:{key.start_mark.line + 1}: a field's name must be a word")
+            if key.value == "on":  # YAML 1.1 takes it for true, nobody who names a support does
+                key.tag = "tag:yaml.org,2002:str"
             if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
                 kind = {"bool": "true or false", "null": "nothing"}.get(
                     key.tag.rpartition(":")[2], "a number"

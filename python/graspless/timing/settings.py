@@ -35,6 +35,7 @@ JERK = 50.0  # per acceleration, which is reached in 0.02 s [1/s]
 CONTACT_SHARE = 0.1  # of joint accelerations and jerks during contact, so that none breaks it
 GUARD = 0.015  # distance to a contact below which parts move at contact speed [m]
 
+CARRY_SPEED = 0.2  # of a held object on its way to a place [m/s]
 CONTACT_SPEED = 0.05  # of parts in contact or about to be [m/s]
 FINGERTIP_SPEED = 0.02  # of an object in fingertips: faster sliding chatters [m/s]
 TUMBLE_SPEED = math.pi / 6  # 90 degrees in 3 s hold in a physics engine, in 1 s not [rad/s]

@@ -37,7 +37,7 @@ def beyond(plan: Any, travel: float) -> Matrix:
 
 
 def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
-    """Returns a trajectory whose hand closes beyond contact, and holds on from there.
+    """Returns a trajectory whose hand closes beyond contact, and holds on until it opens.
 
     Only slides and pinches, alone or as the first stage of a chain, end with a hand that touches;
     other trajectories are returned as they are. No joint passes its limit.
@@ -56,18 +56,23 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
     q, robot = trajectory.positions[k], plan.task.problem.robot
     close = np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
     t = np.linspace(0.0, 1.0, max(2, round(SECONDS * _RATE)) + 1)[1:]
-    share = t**2 * (3 - 2 * t)
-    rates = 6 * t * (1 - t) / SECONDS, (6 - 12 * t) / SECONDS**2
+    share, rate, bend = _smooth(t, SECONDS)
+    left = _left(trajectory)[:, k + 1 :]
 
     def spliced(values: Matrix, added: Matrix) -> Matrix:
         return np.concatenate([values[: k + 1], added, values[k + 1 :]])
+
+    def changed(values: Matrix, added: Matrix, after: Matrix) -> Matrix:
+        found = spliced(values, added[:, None] * close)
+        found[k + 1 + len(t) :] += after[:, None] * close
+        return found
 
     def repeated(values: Any) -> Any:
         return spliced(values, np.repeat(values[k : k + 1], len(t), axis=0))
 
     positions = repeated(trajectory.positions)
     positions[k + 1 : k + 1 + len(t)] += share[:, None] * close
-    positions[k + 1 + len(t) :] += close
+    positions[k + 1 + len(t) :] += left[0][:, None] * close
     times = spliced(trajectory.times, trajectory.times[k] + SECONDS * t)
     times[k + 1 + len(t) :] += SECONDS
     return dataclasses.replace(
@@ -76,10 +81,32 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
         segment_index=repeated(trajectory.segment_index),
         rows=repeated(trajectory.rows),
         positions=positions,
-        velocities=spliced(trajectory.velocities, rates[0][:, None] * close),
-        accelerations=spliced(trajectory.accelerations, rates[1][:, None] * close),
+        velocities=changed(trajectory.velocities, rate, left[1]),
+        accelerations=changed(trajectory.accelerations, bend, left[2]),
         object_poses=repeated(trajectory.object_poses),
     )
+
+
+def _smooth(t: Matrix, seconds: float) -> tuple[Matrix, Matrix, Matrix]:
+    """Returns a smooth step from 0 to 1 at t in [0, 1], and its derivatives by time."""
+    return t**2 * (3 - 2 * t), 6 * t * (1 - t) / seconds, (6 - 12 * t) / seconds**2
+
+
+def _left(trajectory: Trajectory) -> Matrix:
+    """[3, N] part of the squeeze that is left at each sample, and its derivatives by time.
+
+    It goes while the hand opens.
+    """
+    left = np.stack([np.ones(len(trajectory.times)), *2 * [np.zeros(len(trajectory.times))]])
+    opens = np.flatnonzero(np.array(trajectory.names) == "open")
+    if len(opens):
+        first, last = opens[0] - 1, opens[-1]
+        seconds = float(trajectory.times[last] - trajectory.times[first])
+        t = (trajectory.times[first : last + 1] - trajectory.times[first]) / seconds
+        share, rate, bend = _smooth(t, seconds)
+        left[:, first : last + 1] = 1 - share, -rate, -bend
+        left[:, last + 1 :] = 0
+    return left
 
 
 __all__ = ["SECONDS", "beyond", "squeezed"]

@@ -14,6 +14,9 @@ struct Options {
   double angle_tolerance = 2e-3;
   double max_twist = 0;
   double contact_depth = 1e-3;
+  double height = 0.06;
+  double retreat = 0.08;
+  double max_tilt = 0.35;
   double resolution = 0.01;
   double max_memory = 4e9;
 };
@@ -37,6 +40,16 @@ constexpr auto fields(const Options&) {
       Field{"contact_depth", &Options::contact_depth, "m",
             "Largest penetration of the object into the obstacles that it rests on.",
             Range::left_open(0, 0.02)},
+      Field{"height", &Options::height, "m",
+            "With places: length of the straight motion down onto the support.",
+            Range::left_open(0, 0.5)},
+      Field{"retreat", &Options::retreat, "m",
+            "With places: length of the straight motion of the open hand away from the object.",
+            Range::left_open(0, 0.5)},
+      Field{"max_tilt", &Options::max_tilt, "rad",
+            "With places: largest angle between the object's vertical on the way and that at the "
+            "start or at the place, whichever is nearer.",
+            Range::left_open(0, 3.2)},
       Field{"resolution", &Options::resolution, "rad",
             "Largest joint step between checked configurations. check() uses 0.01.",
             Range::closed(1e-4, 0.01)},

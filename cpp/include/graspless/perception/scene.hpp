@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,8 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Unseen> unseen;
   std::vector<std::string> warnings;  ///< what may be wrong although something was found
+  /// When the images were taken, in seconds since 1970; set by the caller, nothing if unknown.
+  std::optional<double> stamp = std::nullopt;
   explicit operator bool() const { return status == Status::found; }
 };
 

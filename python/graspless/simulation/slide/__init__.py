@@ -118,7 +118,7 @@ class Execution:
     """A running model and its observations.
 
     `control` makes the controller of a time step; by default the fixed program of the plan. `truth`
-    is simulated in place of the object of the plan.
+    is simulated in place of the object of the plan; `standing` is the obstacle on which it is put.
     """
 
     def __init__(
@@ -129,9 +129,10 @@ class Execution:
         obstacles: Sequence[Any] | None = None,
         control: Callable[[float], Controller] | None = None,
         truth: Body | None = None,
+        standing: str | None = None,
     ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
-        self.scene: Scene = build_scene(plan, variation, settings, obstacles, truth)
+        self.scene: Scene = build_scene(plan, variation, settings, obstacles, truth, standing)
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)

@@ -109,6 +109,12 @@ class Judge:
         other = np.where(a == self._object, b, np.where(b == self._object, a, 0))
         return all((other == finger).any() for finger in self._fingers)
 
+    def is_touched(self, data: Any) -> bool:
+        """Returns True if a finger or another part of the robot touches the object."""
+        a, b = self._kinds(data)
+        other = np.where(a == self._object, b, np.where(b == self._object, a, -1))
+        return bool(np.isin(other, (0, *self._fingers)).any())
+
     def _kinds(self, data: Any) -> tuple[Any, Any]:
         geoms = data.contact.geom
         touching = data.contact.dist < 0

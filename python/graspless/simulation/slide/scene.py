@@ -82,10 +82,12 @@ def build_scene(
     settings: Slide | None = None,
     obstacles: Sequence[Any] | None = None,
     truth: Body | None = None,
+    standing: str | None = None,
 ) -> Scene:
     """Makes the varied model of the task of a plan.
 
-    `obstacles` replace those of the task, and `truth` its object.
+    `obstacles` replace those of the task, and `truth` its object, which may touch the obstacle
+    `standing` as it touches the table.
     """
     settings = settings or Slide()
     problem = plan.task.problem
@@ -99,7 +101,8 @@ def build_scene(
     X_WO = varied_start(problem, variation)
     _add_table(spec, plan, variation.table, settings)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
-        _add_obstacle(spec, obstacle, f"{OBSTACLE}{i} {obstacle.name}")
+        what = TABLE if obstacle.name == standing else OBSTACLE
+        _add_obstacle(spec, obstacle, f"{what} {i} {obstacle.name}", what)
     if truth is None:
         _add_object(spec, problem.object, X_WO, variation, settings)
     else:
@@ -152,11 +155,11 @@ def _edge_points(plan: Plan, settings: Slide) -> Matrix:
     return near
 
 
-def _add_obstacle(spec: Any, obstacle: Any, name: str) -> None:
+def _add_obstacle(spec: Any, obstacle: Any, name: str, what: str) -> None:
     X_WB = np.array(obstacle.X_WB)
     body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
     for i, placed in enumerate(obstacle.shapes):
-        _mark(add_placed(spec, body, placed, name=f"{name} {i}"), OBSTACLE)
+        _mark(add_placed(spec, body, placed, name=f"{name} {i}"), what)
 
 
 def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, settings: Slide) -> None:

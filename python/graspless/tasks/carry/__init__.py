@@ -79,6 +79,18 @@ def in_force(fields: CarryTask, problem: carry.Problem, options: carry.Options) 
     return {"options": _in_force(fields.options, options)}
 
 
+def _aim(problem: carry.Problem) -> dict[str, Any]:
+    places, goal = problem.places, problem.X_WO_goal
+    if places is None:
+        assert goal is not None
+        return {"goal": pose_fields(goal)}
+    poses = [pose_fields(X_WO) for X_WO in places.X_WO]
+    return {
+        "place": {"on": places.on, "normal": places.normal_W, "poses": poses},
+        "open": places.q_open,
+    }
+
+
 def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
     """Returns the task file of a problem, without options and budget."""
     held = problem.object
@@ -87,7 +99,7 @@ def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
         **struct_fields(problem, ["arm", "frame"]),
         "object": {"name": held.name, "parts": part_fields(held.shapes)},
         "pose": pose_fields(held.X_WB),
-        "goal": pose_fields(problem.X_WO_goal),
+        **_aim(problem),
         "rests_on": list(problem.rests_on),
         "obstacles": obstacle_fields(problem.obstacles),
     }

@@ -54,10 +54,11 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
         arm=task.arm,
         frame=given.frame,
         object=carry.Obstacle(given.object.name, shapes, X_WO),
-        X_WO_goal=goal(task, X_WO),
+        X_WO_goal=None if task.place is not None else goal(task, X_WO),
         q_start=build_home(given.robot, robot, source),
         obstacles=obstacles,
         rests_on=rests,
+        places=None if task.place is None else places(task.place, task.open, source),
     )
     try:
         carry.validate(problem)
@@ -75,6 +76,15 @@ def goal(task: model.CarryTask, X_WO: Matrix) -> Matrix:
     assert task.line is not None  # the model has seen to it
     direction = np.array(task.line.direction) / np.linalg.norm(task.line.direction)
     return frames.translation(task.line.distance * direction) @ X_WO
+
+
+def places(given: model.Places, q_open: list[float] | None, source: Source) -> carry.Places:
+    """Returns the places where the object may be put down."""
+    if q_open is None:
+        raise source.error(("open",), "missing: the joints of the open hand")
+    poses = np.stack([pose_matrix(pose) for pose in given.poses])
+    normal = np.array(given.normal) / np.linalg.norm(given.normal)
+    return carry.Places(poses, given.on, np.array(q_open), normal)
 
 
 def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
@@ -113,6 +123,9 @@ _PLACES: dict[str, Location] = {
     "X_WO_goal": ("goal",),
     "object": ("object",),
     "obstacles": ("obstacles",),
+    "places.X_WO": ("place", "poses"),
+    "places.on": ("place", "on"),
+    "places.q_open": ("open",),
     "q_start": ("robot", "home"),
     "rests_on": ("rests_on",),
 }
@@ -120,7 +133,7 @@ _PLACES: dict[str, Location] = {
 
 def _blamed(message: str) -> tuple[Location, str]:
     """Splits a message of carry.validate() into the field of the task file and the rest."""
-    named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
+    named = re.match(r"(places\.\w+|\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
     if named is None or named[1] not in _PLACES:
         return ("frame",), message
     return _PLACES[named[1]], named[3]

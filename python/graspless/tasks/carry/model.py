@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Model of task files of kind carry; docs/task-files.md describes the fields.
 
-A carry is mostly a stage of a chain. Fields that are None come from the stage before it.
+A carry moves a held object along a straight path, or puts it down. It is mostly a stage of a chain:
+fields that are None come from the stage before it.
 """
 
 from __future__ import annotations
@@ -59,6 +60,27 @@ class Line(Fields):
         return self
 
 
+class Places(Fields):
+    """Places where the held object is put down."""
+
+    on: str = Field(
+        default="support",
+        description="obstacle on which the object then stands; support: that of the stage before",
+    )
+    normal: Point3 = Field(
+        default=[0.0, 0.0, 1.0], description="normal of its surface, of any length but 0"
+    )
+    poses: Annotated[list[Pose], Field(min_length=1)] = Field(
+        description="poses of O in the world, the best first"
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Places:
+        if not any(self.normal):
+            raise ValueError("normal must not be zero")
+        return self
+
+
 @described_by(carry.Options)
 class Options(Fields):
     """Options of the search: docs/reference/options.md."""
@@ -81,6 +103,13 @@ class CarryTask(Fields):
     goal: Pose | None = Field(
         default=None, description="instead: pose of O in the world at the end"
     )
+    place: Places | None = Field(
+        default=None, description="instead: places, at the first of which that works it is put down"
+    )
+    open: list[float] | None = Field(
+        default=None,
+        description="with a place: all joints, of which those of the hand open it [rad or m]",
+    )
     support: Support | None = Field(
         default=None, description="support of the slide before the carry"
     )
@@ -96,7 +125,7 @@ class CarryTask(Fields):
 
     @model_validator(mode="after")
     def _check(self) -> CarryTask:
-        self.one_of("line", "offset", "goal")
+        self.one_of("line", "offset", "goal", "place")
         if self.offset is not None and not any(self.offset):
             raise ValueError("offset must not be zero")
         return self

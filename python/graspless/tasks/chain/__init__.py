@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .joints import ON_SUPPORT, require_joined
+from .joints import HOLDING, ON_SUPPORT, require_joined
 from .model import ChainTask, Options
 from .stages import Stage, read_stages, stages_of_plan
 from .start import Held, State, start_at
@@ -69,6 +69,7 @@ def in_force(fields: ChainTask, problem: Problem, options: Options) -> dict[str,
 
 
 __all__ = [
+    "HOLDING",
     "ON_SUPPORT",
     "SEARCHES",
     "Fields",

@@ -24,7 +24,7 @@ def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
     ----------
     stages : sequence of (name, kind, source)
     """
-    held, last = False, ""
+    held, last, let_go = False, "", ""
     for name, kind, source in stages:
         if kind == "carry" and not held:
             after = f" after '{last}'" if last else ""
@@ -33,7 +33,11 @@ def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
         if kind != "carry" and held:
             what = f"the hand holds the object after '{last}': only a carry can follow"
             raise source.error(("kind",), what)
+        if let_go:
+            what = f"'{let_go}' puts the object down: no stage can follow"
+            raise source.error(("kind",), what)
         held, last = kind in HOLDING, name
+        let_go = name if source.data.get("place") is not None else ""
 
 
 def require_joined(stages: Sequence[Stage]) -> None:

@@ -38,11 +38,14 @@ class Held:
         Link to which the object is fixed.
     fields : SlideTask, PinchTask, ClaspTask or CarryTask
         Fields of the stage that grasped it.
+    q_open : array [dof]
+        All joints just before the hand closed [rad or m].
     """
 
     arm: str
     frame: str
     fields: Any
+    q_open: Matrix
 
 
 @dataclass(frozen=True)
@@ -82,7 +85,7 @@ def hold_place(stage: StageSource) -> None:
 def _starts(data: dict[str, Any]) -> list[Location]:
     """Returns the fields in which a task of this kind gives its start."""
     if data["kind"] == "carry":
-        return [("robot",), ("arm",), ("frame",), ("object",), ("pose",), ("support",)]
+        return [("robot",), ("arm",), ("frame",), ("object",), ("pose",), ("support",), ("open",)]
     if data["kind"] != "fingertip":
         return [("object", "pose"), ("robot", "home")]
     moves = ("slide", "turn", "tumble")
@@ -161,6 +164,8 @@ def _carry(fields: Any, state: State) -> Any:
         "pose": as_pose(state.X_WO),
         "support": support,
     }
+    if fields.place is not None:
+        update["open"] = np.asarray(held.q_open).tolist()
     if fields.obstacles is None:
         update["obstacles"] = before.obstacles
     return fields.model_copy(update=update)

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ...carry import Plan
     from ...simulation import Recording
 
-SPEEDS = {"carry": 0.25}  # [rad/s]
+SPEEDS = {"carry": 0.25, "lower": 0.25, "open": 0.5, "retreat": 0.25}  # [rad/s]
 
 
 def film(plan: Plan, recording: Recording | None = None) -> films.Film:

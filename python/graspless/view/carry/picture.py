@@ -6,8 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
+from ...report.carry import moved
 from .. import raster
 from ..figures import INK, draw_panel, new_figure
 from .film import film
@@ -42,9 +41,7 @@ def draw(plan: Plan) -> Figure:
 def headline(plan: Plan) -> str:
     """Returns a title: the result of the plan, or the reason of failure."""
     problem = plan.task.problem
-    name = problem.object.name
     if not plan:
+        name = problem.object.name
         return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
-    start, goal = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_goal)
-    distance = float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
-    return f"{problem.robot.name} carries the {name} {distance * 100:.0f} cm along a straight path"
+    return f"{problem.robot.name} {moved(plan)}"

@@ -31,7 +31,7 @@ class Stage(FilmStage):
             if body.name == "table":
                 self.layers.add_body(body, X_WB)
         if plan and recording is None:
-            goal = np.asarray(plan.task.problem.X_WO_goal)
+            goal = plan.segments[-1].object_poses[-1]
             self.layers.add_body(ghost_of(scene.object, "goal"), goal, GHOST_OPACITY)
             self.layers.explain(GHOST, "goal")
 

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace graspless::carry {
+
+/// Places on an obstacle where a held object may be put down.
+struct Places {
+  std::vector<Eigen::Isometry3d> X_WO;  ///< poses of the object there, the best first
+  std::string on;                       ///< obstacle on which the object then stands
+  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< unit normal of its surface
+  /// Configuration whose joints outside the arm's group open the hand, all joints [rad or m].
+  Eigen::VectorXd q_open;
+};
+
+}  // namespace graspless::carry

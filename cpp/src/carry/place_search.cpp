@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "carry/place_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graspless/planning/free_path.hpp"
+#include "graspless/watch.hpp"
+
+#include "carry/search.hpp"
+#include "carry/straight_path.hpp"
+
+namespace graspless::carry {
+namespace {
+
+using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
+using planning::Path;
+
+constexpr double kTurnPoint = 0.03;         // between their attitudes [rad]
+constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
+constexpr std::size_t kWithoutWay = 4;      // places to which a tree is grown
+constexpr int kTreeIterations = 1000;       // of each
+
+robot::Ik without_whole_turns(const Problem& problem) {
+  robot::Ik::Options options;
+  options.whole_turns = false;  // they touch the same things
+  return robot::Ik(problem.robot, problem.robot.frame(problem.frame),
+                   problem.robot.group(problem.arm), options);
+}
+
+}  // namespace
+
+PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, planning::Clock& clock,
+                         std::uint64_t seed)
+    : problem_(problem),
+      places_(*problem.places),
+      options_(options),
+      clock_(clock),
+      rng_(seed),
+      ik_(without_whole_turns(problem)),
+      frame_(problem.robot.frame(problem.frame)),
+      X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
+      up_O_(places_.X_WO.front().linear().transpose() * places_.normal_W),
+      scene_(problem.robot),
+      object_(scene_.add_object(problem.object.name, problem.object.shapes)),
+      hand_(links_with(problem.robot, frame_, ik_.group())) {
+  add_obstacles(scene_, object_, problem, options);
+  hold();
+}
+
+void PlaceSearch::run(Plan& plan) {
+  if (const auto [a, b] = scene_.collision(problem_.q_start); !a.empty()) {
+    plan.status = Status::start_in_collision;
+    plan.reason = "at the start, '" + a + "' touches '" + b + "'";
+    return;
+  }
+  std::vector<Putting> without_way;
+  std::size_t tried = 0;
+  for (; tried < places_.X_WO.size() && without_way.size() < kWithoutWay; ++tried) {
+    if (!clock_.spend()) break;
+    hold();
+    for (const VectorXd& q : configurations(places_.X_WO[tried])) {
+      hold();
+      std::optional<Putting> putting = put_at(static_cast<int>(tried), q);
+      if (!putting) continue;
+      hold();
+      if (add_transfer(*putting, 0, plan)) return;
+      without_way.push_back(std::move(*putting));
+      break;
+    }
+  }
+  for (const Putting& putting : without_way)
+    if (!clock_.is_out() && go_straight(putting.place, plan)) return;
+  for (const Putting& putting : without_way) {
+    if (clock_.is_out()) break;
+    if (add_transfer(putting, kTreeIterations, plan)) return;
+    refuse("no way from the start");
+  }
+  fail(tried, plan);
+}
+
+/// Fixes the object to the hand.
+void PlaceSearch::hold() { scene_.attach(object_, frame_, X_FO_, hand_); }
+
+/// Configurations that hold the object at a pose, the nearest to the start first.
+std::vector<VectorXd> PlaceSearch::configurations(const Isometry3d& X_WO) {
+  ++statistics_.ik_calls;
+  std::vector<VectorXd> found;
+  const auto all = ik_.solve_all(X_WO * X_FO_.inverse(), problem_.q_start, rng_);
+  if (all.empty()) refuse("out of the arm's reach");
+  for (const VectorXd& q : all) {
+    poll();
+    if (found.size() == kConfigurations) break;
+    if (scene_.is_free(q)) {
+      found.push_back(q);
+    } else {
+      refuse(touching(q));
+    }
+  }
+  return found;
+}
+
+std::string PlaceSearch::touching(const VectorXd& q) {
+  const auto [a, b] = scene_.collision(q);
+  return a.empty() ? "joint limits" : "'" + a + "' touches '" + b + "'";
+}
+
+/// The motions at a place, from a configuration that holds the object there.
+std::optional<PlaceSearch::Putting> PlaceSearch::put_at(int place, const VectorXd& q) {
+  std::optional<Path> up = follow(q, line(q, places_.normal_W, options_.height));
+  if (!up) {
+    refuse("no straight way down");
+    return std::nullopt;
+  }
+  std::reverse(up->begin(), up->end());
+  return let_go(place, std::move(*up));
+}
+
+/// Opens the hand at the end of the way down, and withdraws it. Leaves the object there.
+std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
+  const VectorXd q = lower.back(), opened = with_arm(arm_of(q), places_.q_open);
+  if (!is_free(q, opened)) {
+    refuse("the hand opens: " + touching(opened));
+    return std::nullopt;
+  }
+  scene_.move_object(object_, object_at(q));
+  if (!scene_.is_free(opened)) {
+    refuse("the open hand: " + touching(opened));
+    return std::nullopt;
+  }
+  std::optional<Path> away = withdrawn(opened);
+  if (!away) {
+    refuse("no straight way out for the open hand");
+    return std::nullopt;
+  }
+  return Putting{place, std::move(lower), {q, opened}, std::move(*away)};
+}
+
+/// Goes to a place straight and level, and straight down, as far as the inverse kinematics follows
+/// from the start.
+bool PlaceSearch::go_straight(int place, Plan& plan) {
+  hold();
+  const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
+  const StraightPath way(problem_.object.X_WB,
+                         Eigen::Translation3d(places_.normal_W * options_.height) * X_WO);
+  const int steps = std::max({1, static_cast<int>(std::ceil(way.distance() / kWaypoint)),
+                              static_cast<int>(std::ceil(way.angle() / kTurnPoint))});
+  std::vector<Isometry3d> poses;
+  for (int i = 1; i <= steps; ++i)
+    poses.push_back(way.pose(static_cast<double>(i) / steps, 0) * X_FO_.inverse());
+  const std::optional<Path> transfer = follow(problem_.q_start, poses);
+  if (!transfer) return false;
+  for (std::size_t i = 0; i + 1 < transfer->size(); ++i)
+    if (!is_level((*transfer)[i], (*transfer)[i + 1])) return false;
+  const VectorXd& above = transfer->back();
+  std::optional<Path> lower = follow(above, line(above, -places_.normal_W, options_.height));
+  if (!lower) return false;
+  const std::optional<Putting> putting = let_go(place, std::move(*lower));
+  if (!putting) return false;
+  assemble(*transfer, *putting, plan);
+  return true;
+}
+
+bool PlaceSearch::add_transfer(const Putting& putting, int iterations, Plan& plan) {
+  hold();
+  const auto full = [&](const VectorXd& arm) { return with_arm(arm, problem_.q_start); };
+  planning::FreeSpace space;
+  space.lower = arm_of(problem_.robot.lower());
+  space.upper = arm_of(problem_.robot.upper());
+  space.is_free = [&](const VectorXd& arm) {
+    return is_level(full(arm)) && scene_.is_free(full(arm));
+  };
+  space.is_motion_free = [&](const VectorXd& a, const VectorXd& b) {
+    return is_level(full(a), full(b)) && is_free(full(a), full(b));
+  };
+  space.is_out = [&] { return clock_.is_out(); };
+  const auto arm = planning::find_free_path(space, arm_of(problem_.q_start),
+                                            arm_of(putting.lower.front()), iterations, rng_);
+  if (!arm) return false;
+  Path transfer;
+  for (const VectorXd& at : *arm) transfer.push_back(full(at));
+  assemble(transfer, putting, plan);
+  return true;
+}
+
+void PlaceSearch::assemble(const Path& transfer, const Putting& putting, Plan& plan) const {
+  append("transfer", transfer, true, plan);
+  append("lower", putting.lower, true, plan);
+  append("open", putting.open, false, plan);
+  append("retreat", putting.retreat, false, plan);
+  plan.status = Status::solved;
+  plan.reason.clear();
+  plan.place = putting.place;
+  plan.reached = 1;
+}
+
+VectorXd PlaceSearch::with_arm(const VectorXd& arm, const VectorXd& hand) const {
+  VectorXd q = hand;
+  for (std::size_t i = 0; i < ik_.group().size(); ++i)
+    q[ik_.group()[i]] = arm[static_cast<Eigen::Index>(i)];
+  return q;
+}
+
+VectorXd PlaceSearch::arm_of(const VectorXd& q) const {
+  VectorXd arm(static_cast<Eigen::Index>(ik_.group().size()));
+  for (std::size_t i = 0; i < ik_.group().size(); ++i)
+    arm[static_cast<Eigen::Index>(i)] = q[ik_.group()[i]];
+  return arm;
+}
+
+Isometry3d PlaceSearch::object_at(const VectorXd& q) const {
+  return problem_.robot.pose(frame_, q) * X_FO_;
+}
+
+void PlaceSearch::append(const std::string& name, const Path& path, bool held, Plan& plan) const {
+  Segment segment{
+      name, planning::subdivided(path, kPlaceRowStep, problem_.robot.step_weights()), {}};
+  const Isometry3d put =
+      plan.segments.empty() ? Isometry3d::Identity() : plan.segments.back().object_poses.back();
+  for (const VectorXd& q : segment.positions)
+    segment.object_poses.push_back(held ? object_at(q) : put);
+  plan.segments.push_back(std::move(segment));
+}
+
+void PlaceSearch::fail(std::size_t tried, Plan& plan) const {
+  plan.status = clock_.was_interrupted() ? Status::interrupted : Status::no_place;
+  const std::size_t given = places_.X_WO.size();
+  plan.reason = given == 1 ? "the object cannot be put down at its place"
+                           : "none of the " + std::to_string(tried) + " places tried works";
+  const auto most =
+      std::max_element(statistics_.refusals.begin(), statistics_.refusals.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most != statistics_.refusals.end())
+    plan.reason += "; most frequent obstruction: " + most->first;
+  if (clock_.is_out()) plan.reason += "; the budget ran out before everything was tried";
+}
+
+Statistics PlaceSearch::statistics() {
+  statistics_.seconds = clock_.seconds();
+  statistics_.iterations = clock_.iterations();
+  statistics_.collision_checks = scene_.world().num_checks();
+  return statistics_;
+}
+
+}  // namespace graspless::carry

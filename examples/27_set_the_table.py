@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Set a table: each thing is seen by a camera, picked up, and put down at its place."""
+
+import math
+
+import numpy as np
+
+import graspless
+from graspless import frames, geometry, perception
+
+EYE, MIDDLE = [-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]
+TABLE = perception.Body(
+    [geometry.PlacedShape(geometry.Box([0.7, 0.7, 0.04]))], frames.translation([0.65, 0.0, -0.02])
+)
+FLOOR = perception.Body(
+    [geometry.PlacedShape(geometry.Box([6, 6, 0.02]))], frames.translation([0.65, 0.0, -0.75])
+)
+# Size [m], where it stands, and where it belongs: x, y and yaw in the world.
+THINGS = {
+    "salt": ([0.05, 0.04, 0.09], (0.55, 0.22, 0.3), (0.65, -0.05, 0.0)),
+    "cutlery": ([0.16, 0.03, 0.03], (0.65, 0.10, 1.0), (0.50, -0.20, 0.0)),
+    "napkins": ([0.10, 0.045, 0.05], (0.75, 0.20, -0.6), (0.75, -0.20, math.pi / 2)),
+}
+
+
+def body(size, pose):
+    """A box that stands on the table."""
+    X_WB = frames.planar(*pose) @ frames.translation([0, 0, size[2] / 2])
+    return perception.Body([geometry.PlacedShape(geometry.Box(size))], X_WB)
+
+
+def nearest(scene, pose):
+    """The object of a scene that stands at a pose."""
+    return min(scene.objects, key=lambda o: float(np.linalg.norm(o.X_WO[:2, 3] - pose[:2])))
+
+
+def main():
+    """Plans the picks one after the other, each in a new image."""
+    now = {name: start for name, (_, start, _) in THINGS.items()}
+    for name, (_, start, place) in THINGS.items():
+        bodies = [body(THINGS[other][0], pose) for other, pose in now.items()]
+        frame = perception.render([TABLE, FLOOR, *bodies], perception.look_at(EYE, MIDDLE))
+        scene = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+        x, y, yaw = place
+        found = graspless.pick(
+            scene,
+            nearest(scene, start).name,
+            "wam_t42",
+            place={"pose": {"x": x, "y": y, "yaw": yaw}},
+        )
+        assert found, found.reason
+        assert graspless.check(found.plan) == []
+        end = found.plan.stages[-1].segments[-1].object_poses[-1]
+        print(f"{name}: {', '.join(found.plan.names)}; at {end[0, 3]:.2f} {end[1, 3]:.2f} m")
+        now[name] = place
+
+
+if __name__ == "__main__":
+    main()

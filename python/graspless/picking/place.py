@@ -1,0 +1,282 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Places on a support where a picked object can be put down."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import frames, geometry
+from ..errors import TaskError
+from ..tasks import scenes
+from ..tasks.source import Source
+from ..tasks.statement import pose_fields
+from .place_fields import Place, place_of
+from .wish import documents, plain
+
+if TYPE_CHECKING:
+    from ..frames import Matrix
+    from ..perception import Support
+    from .wish import Wish
+
+MARGIN = 0.01  # of the middle of the object within the edge of its support [m]
+GAP = 0.01  # to other objects [m]
+SPACING = 0.04  # of places on a support [m]
+ALONG = 0.03  # of places along an edge [m]
+DENSE = 0.005  # of points of outlines [m]
+TURNS = 8  # yaws at a place without one
+MOST = 120  # places that are given to the planner
+
+
+@dataclass(frozen=True)
+class Target:
+    """A place that was asked for, on a support of the scene.
+
+    Attributes
+    ----------
+    wish : Wish
+    place : Place
+    support : Support
+        Support on which the object shall stand.
+    """
+
+    wish: Wish
+    place: Place
+    support: Support
+
+    @cached_property
+    def polygon(self) -> geometry.Polygon:
+        """Outline of the support, in S [m]."""
+        return geometry.Polygon(self.support.polygon)
+
+    @cached_property
+    def region(self) -> geometry.Polygon | None:
+        """Region that was asked for, in S [m]."""
+        if self.place.region is None:
+            return None
+        try:
+            return geometry.Polygon(self._in_S(self.place.region.corners()), "place: region")
+        except ValueError as error:
+            raise TaskError(str(error)) from None
+
+    @cached_property
+    def taken(self) -> list[tuple[str, geometry.Polygon]]:
+        """Other objects on the support, by name, with their outlines in S."""
+        X_SW = np.linalg.inv(self.support.X_WS)
+        return [
+            (other.name, geometry.Polygon(_moved(np.asarray(other.outline), X_SW @ other.X_WO)))
+            for other in self.wish.others
+            if other.support == self.support.name
+        ]
+
+    @property
+    def yaw(self) -> float:
+        """Yaw of S in the world [rad]."""
+        return float(np.arctan2(self.support.X_WS[1, 0], self.support.X_WS[0, 0]))
+
+    @property
+    def obstacle(self) -> str:
+        """Name of the support as an obstacle."""
+        return f"scene {self.support.name}"
+
+    def _in_S(self, points: Matrix) -> Matrix:
+        flat = np.column_stack([points, np.full(len(points), self.support.X_WS[2, 3])])
+        X_SW = np.linalg.inv(self.support.X_WS)
+        found: Matrix = (flat @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2]
+        return found
+
+    def asked(self) -> list[Matrix]:
+        """Returns the poses X_SO [4, 4] of a place with a pose, the turns nearest to now first."""
+        pose = self.place.pose
+        assert pose is not None
+        x, y = self._in_S(np.array([[pose.x, pose.y]]))[0]
+        yaws = self.turns if pose.yaw is None else [pose.yaw - self.yaw]
+        return [frames.planar(x, y, yaw) for yaw in yaws]
+
+    @cached_property
+    def turns(self) -> list[float]:
+        """Yaws that are tried, in S, the nearest to the present one first [rad]."""
+        X_SO = np.linalg.inv(self.support.X_WS) @ self.wish.thing.X_WO
+        now = float(np.arctan2(X_SO[1, 0], X_SO[0, 0]))
+        steps = sorted(range(TURNS), key=lambda k: min(k, TURNS - k))
+        return [now + 2 * np.pi * k / TURNS for k in steps]
+
+    def fault(self, X_SO: Matrix) -> tuple[int, str]:
+        """Says why the object cannot stand at a pose, or nothing.
+
+        The number counts the conditions that hold, in the order in which they are looked at.
+        """
+        inside = float(self.polygon.depth(X_SO[:2, 3]))
+        if inside < MARGIN:
+            where = "beyond" if inside < 0 else "from"
+            off = f"{100 * abs(inside):.1f} cm {where} the edge of {self.support.name}"
+            return 0, f"its middle would be {off}; {100 * MARGIN:.0f} cm within it are needed"
+        ring = _dense(_moved(np.asarray(self.wish.thing.outline), X_SO))
+        if self.region is not None:
+            region = self.region
+            out = [p for p in ring if region.depth(p) < 0 and self.polygon.contains(p)]
+            if out:
+                return 1, self._too_small()
+        for name, other in self.taken:
+            theirs = _dense(np.asarray(other.vertices))
+            apart = np.linalg.norm(ring[:, None] - theirs[None], axis=2).min()
+            nested = other.contains(ring[0]) or geometry.Polygon(ring).contains(theirs[0])
+            if apart < GAP or nested:
+                near = f"'{name}' is there, or less than {1000 * GAP:.0f} mm away"
+                return 2, f"the place is taken: {near}"
+        return 3, ""
+
+    def _too_small(self) -> str:
+        assert self.region is not None
+        sizes = [
+            " x ".join(f"{1000 * side:.0f}" for side in sorted(np.ptp(ring, axis=0)))
+            for ring in (self.region.vertices, np.asarray(self.wish.thing.outline))
+        ]
+        return f"the region has {sizes[0]} mm, the object {sizes[1]} mm: it does not fit anywhere"
+
+    def spread(self) -> Iterator[Matrix]:
+        """Yields poses X_SO all over the support or the region, the nearest first."""
+        within = self.polygon if self.region is None else self.region
+        low, high = np.min(within.vertices, axis=0), np.max(within.vertices, axis=0)
+        axes = [np.arange(a, b + SPACING / 2, SPACING) for a, b in zip(low, high, strict=True)]
+        spots = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
+        spots = np.vstack([spots, [within.centroid]])
+        for k in np.argsort(np.linalg.norm(spots - self.middle, axis=1), kind="stable"):
+            for yaw in [*self.turns, *self._along_region()]:
+                yield frames.planar(float(spots[k, 0]), float(spots[k, 1]), yaw)
+
+    def _along_region(self) -> list[float]:
+        """Yaws at which the longest extent of the object lies along or across the region."""
+        if self.region is None:
+            return []
+        side = self.region.edge(0)
+        x, y = np.asarray(side.b) - np.asarray(side.a)
+        return [float(np.arctan2(y, x)) + k * np.pi / 2 for k in range(4)]
+
+    @property
+    def middle(self) -> Matrix:
+        """Point in S near which places are tried first: where the object is, or the region [2]."""
+        if self.region is not None:
+            return np.asarray(self.region.centroid)
+        X_SO = np.linalg.inv(self.support.X_WS) @ self.wish.thing.X_WO
+        here: Matrix = X_SO[:2, 3]
+        return here
+
+    def over_edges(self, X_EO: Matrix) -> Iterator[Matrix]:
+        """Yields poses at which the object lies over a real edge as it did when it was grasped.
+
+        `X_EO` is its pose at an edge: x along it, y into the support.
+        """
+        real = [i for i, label in enumerate(self.support.edges) if str(label) == "real"]
+        poses = []
+        for i in real:
+            edge = self.polygon.edge(i)
+            a, b = np.asarray(edge.a), np.asarray(edge.b)
+            length = float(np.linalg.norm(b - a))
+            for t in np.linspace(0, 1, max(1, int(length / ALONG)) + 2)[1:-1]:
+                poses.append(edge_frame(edge, a + t * (b - a)) @ X_EO)
+        near = self.middle if self.place.pose is None else self.asked()[0][:2, 3]
+        yield from sorted(poses, key=lambda X: float(np.linalg.norm(X[:2, 3] - near)))
+
+
+def target_of(wish: Wish, given: Any) -> Target:
+    """Returns where the object shall be put down. Raises TaskError if there is no such support."""
+    place = place_of(given)
+    source = Source("place", {"on": place.on})
+    name = place.on or wish.support.name
+    support = scenes.named(wish.supports, name, source, ("on",))
+    return Target(wish, place, support)
+
+
+def refusal(target: Target) -> str:
+    """Says why the object can stand nowhere where it is asked for, or nothing."""
+    poses = target.spread() if target.place.pose is None else iter(target.asked())
+    reasons = []
+    for X_SO in poses:
+        reasons.append(target.fault(X_SO))
+        if not reasons[-1][1]:
+            return ""
+    farthest = max(reach for reach, _ in reasons)
+    texts = [reason for reach, reason in reasons if reach == farthest]
+    return max(dict.fromkeys(texts), key=texts.count)
+
+
+def stage_of(target: Target, grasp: Any) -> dict[str, Any] | str:
+    """Returns the stage of a chain that puts down what its first stage grasped, or a reason.
+
+    `grasp` is the plan of that stage. After a slide one finger is below the object: it can only be
+    put down over an edge, as it was grasped.
+    """
+    if target.place.pose is not None:
+        poses = iter(target.asked())
+    elif grasp.kind == "slide":
+        poses = target.over_edges(_at_edge(grasp))
+    else:
+        poses = target.spread()
+    found: list[Matrix] = []
+    for X_SO in poses:
+        if len(found) < MOST and not target.fault(X_SO)[1]:
+            found.append(X_SO)
+    if not found:
+        return (
+            f"a finger is below the object: it must lie over a real edge of {target.support.name}, "
+            "as it was grasped, and no such place is free"
+        )
+    obstacles = target.wish.around if grasp.kind == "clasp" else target.wish.beside
+    on = target.obstacle
+    if target.support.name == target.wish.support.name and grasp.kind != "clasp":
+        on = "support"
+    elif all(obstacle["name"] != on for obstacle in obstacles):
+        obstacles = [*obstacles, *documents([scenes.slab(target.support)])]
+    return {
+        "name": "place",
+        "kind": "carry",
+        "place": {
+            "on": on,
+            "normal": [float(value) for value in target.support.X_WS[:3, 2]],
+            "poses": [plain(pose_fields(target.support.X_WS @ X_SO)) for X_SO in found],
+        },
+        "obstacles": obstacles,
+    }
+
+
+def edge_frame(edge: geometry.Edge, p: Matrix) -> Matrix:
+    """[4, 4] pose in S of a frame on an edge: x along it, y into the polygon, at p."""
+    inward = np.asarray(edge.inward)
+    return frames.planar(float(p[0]), float(p[1]), float(np.arctan2(-inward[0], inward[1])))
+
+
+def _at_edge(slide: Any) -> Matrix:
+    """[4, 4] X_EO of the object at the edge over which a slide grasps it, by the hand."""
+    problem = slide.task.problem
+    X_SW = np.linalg.inv(problem.support.X_WS)
+    last = slide.segments[-1]
+    X_WH = problem.robot.pose(problem.hand.grasp_frame, last.positions[-1])
+    X_SO = X_SW @ last.object_poses[-1]
+    edge = problem.support.polygon.nearest_edge((X_SW @ X_WH)[:2, 3])
+    a, b = np.asarray(edge.a), np.asarray(edge.b)
+    along = (b - a) / np.linalg.norm(b - a)
+    foot = a + along * float((X_SO[:2, 3] - a) @ along)
+    return np.asarray(np.linalg.inv(edge_frame(edge, foot)) @ X_SO)
+
+
+def _moved(ring: Matrix, X: Matrix) -> Matrix:
+    moved: Matrix = ring @ X[:2, :2].T + X[:2, 3]
+    return moved
+
+
+def _dense(ring: Matrix) -> Matrix:
+    """[N, 2] points along a closed ring, none farther apart than DENSE."""
+    pieces = []
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.linalg.norm(b - a) / DENSE)))
+        pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
+    return np.concatenate(pieces)
+
+
+__all__ = ["Target", "refusal", "stage_of", "target_of"]
