@@ -1,8 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Set a table: each thing is seen by a camera, picked up, and put down at its place."""
+"""Set a table: each thing is seen by a camera, picked up, and put down at its place.
+
+python 27_set_the_table.py [PICTURE.png]
+"""
 
 import math
+import sys
 
 import numpy as np
 
@@ -54,7 +58,8 @@ def main():
         end = found.plan.stages[-1].segments[-1].object_poses[-1]
         print(f"{name}: {', '.join(found.plan.names)}; at {end[0, 3]:.2f} {end[1, 3]:.2f} m")
         now[name] = place
+    if len(sys.argv) == 2:
+        graspless.view.write_png(found.plan.stages[-1], sys.argv[1])
 
 
-if __name__ == "__main__":
-    main()
+main()

@@ -105,8 +105,8 @@ def picture(name: str) -> tuple[Image.Image, str]:
     return _drawn(lambda path: view.write_png(plan, path)), summary(plan)
 
 
-def _loops(name: str) -> Image.Image:
-    """What the script of the loops draws."""
+def _scripted(name: str) -> Image.Image:
+    """What a script draws."""
 
     def write(path: pathlib.Path) -> None:
         given, sys.argv = sys.argv, [name, str(path)]
@@ -179,9 +179,10 @@ def write_page() -> None:
     (DOCS / "gallery.md").write_text(HEAD + "".join(entry(name) for name in names()))
 
 
-PICTURES = {"18_shortest_loops": _loops, "22_many_tasks": _many}
+PICTURES = {"18_shortest_loops": _scripted, "22_many_tasks": _many, "27_set_the_table": _scripted}
 SCRIPTS = {
     "18_shortest_loops": "python examples/18_shortest_loops.py loops.png",
+    "27_set_the_table": "python examples/27_set_the_table.py table.png",
     "22_many_tasks": (
         "python examples/22_many_tasks.py tasks 8\ngraspless batch tasks -o plans --jobs 2"
     ),
