@@ -15,7 +15,8 @@ from graspless.errors import TaskError
 from graspless.picking import trying
 from graspless.picking.measured import doubt
 from graspless.picking.strategies import chain_of, top_share, unseen_share
-from graspless.picking.wish import wish_of
+from graspless.picking.wish import simplified, wish_of
+from graspless.tasks.scenes import outline_of
 from pick_common import body, seen
 
 
@@ -415,26 +416,25 @@ def test_an_old_scene_is_refused(scene, names, tmp_path):
         objects=list(scene.objects), unseen=[], warnings=[],
     )  # fmt: skip
 
-    def asked(stamp, max_age=5.0):
-        fresh.stamp = stamp
+    def asked(age, max_age=5.0):
+        fresh.stamp = None if age is None else time.time() - age
         perception.save_scene(fresh, tmp_path / "scene.yaml")
         return graspless.pick(tmp_path / "scene.yaml", names["bar"], "wam_t42", max_age=max_age)
 
-    now = time.time()
-    assert asked(now)
-    for stamp, words in (
-        (now - 60, "its images were taken 60"),
-        (now + 60, "in the future: the clocks differ"),
+    assert asked(0, max_age=60.0)
+    for age, words in (
+        (600, "its images were taken 60"),
+        (-60, "in the future: the clocks differ"),
         (None, "nobody noted when its images were taken"),
     ):
-        found = asked(stamp)
+        found = asked(age)
         assert not found
         assert (found.attempts[0].strategy, found.attempts[0].status) == ("scene", "stale")
         assert words in found.attempts[0].reason
         assert [attempt.status for attempt in found.attempts[1:]] == 3 * ["not_tried"]
-    assert asked(now - 60, max_age=None)
+    assert asked(60, max_age=None)
     with pytest.raises(TaskError, match="max_age: 0"):
-        asked(now, max_age=0.0)
+        asked(0, max_age=0.0)
 
 
 def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeypatch):
@@ -451,3 +451,30 @@ def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeyp
     assert "exactly one of robot, robots must be given, not none" in capsys.readouterr().err
     assert main(["pick", "scene.yaml", names["bar"], *ROBOT, "--max-age", "5"]) == 1
     assert "scene  stale: nobody noted when" in capsys.readouterr().out
+
+
+def test_outlines_have_few_corners_near_the_others(scene):
+    for thing in scene.objects:
+        ring = np.asarray(thing.outline)
+        kept = simplified(ring, 0.0015)
+        assert len(kept) < 0.8 * len(ring)
+        assert {tuple(p) for p in kept} <= {tuple(p) for p in ring}
+        polygon = geometry.Polygon(kept)
+        assert max(abs(polygon.depth(p)) for p in ring) <= 0.0015 + 1e-9
+    square = np.array([[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]])
+    assert {tuple(p) for p in simplified(square, 0.0015)} == {tuple(p) for p in square}
+
+
+def test_an_obstacle_is_its_hull_unless_it_is_hollow(scene):
+    for thing in scene.objects:
+        hull = geometry.Polygon(outline_of(thing))
+        assert hull.is_convex
+        assert all(hull.depth(p) > -1e-6 for p in thing.outline)
+    old = scene.objects[0]
+    corner = [[0, 0], [0.1, 0], [0.1, 0.03], [0.03, 0.03], [0.03, 0.1], [0, 0.1]]
+    hollow = perception.Object(
+        name=old.name, support=old.support, outline=corner, X_WO=old.X_WO, thickness=0.05,
+        thickness_error=0.0, is_flat=True, position_error=0.0, yaw_error=0.0, points=old.points,
+        touches_border=False, warnings=[],
+    )  # fmt: skip
+    assert len(outline_of(hollow)) == 6

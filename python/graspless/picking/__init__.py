@@ -92,9 +92,9 @@ def pick(
     Raises
     ------
     TaskError
-        The scene is empty or not valid, it has no such object or support, there is no such robot
-        or strategy,
-        the robot has no hand that one of the strategies could use, or a number is out of range.
+        The scene is empty or not valid, it has no such object or support, there is no such robot or
+        strategy, the robot has no hand that one of the strategies could use, or a number is out of
+        range.
     """
     began = time.monotonic()
     asked = require_strategies(strategies)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,7 +31,7 @@ SPACING = 0.04  # of places on a support [m]
 ALONG = 0.03  # of places along an edge [m]
 DENSE = 0.005  # of points of outlines [m]
 TURNS = 8  # yaws at a place without one
-MOST = 120  # places that are given to the planner
+MOST = 60  # places that are given to the planner
 
 
 @dataclass(frozen=True)
@@ -65,14 +66,19 @@ class Target:
             raise TaskError(str(error)) from None
 
     @cached_property
-    def taken(self) -> list[tuple[str, geometry.Polygon]]:
-        """Other objects on the support, by name, with their outlines in S."""
+    def taken(self) -> list[tuple[str, Matrix]]:
+        """Other objects on the support, by name, with points of their outlines in S."""
         X_SW = np.linalg.inv(self.support.X_WS)
         return [
-            (other.name, geometry.Polygon(_moved(np.asarray(other.outline), X_SW @ other.X_WO)))
+            (other.name, _moved(_dense(np.asarray(other.outline)), X_SW @ other.X_WO))
             for other in self.wish.others
             if other.support == self.support.name
         ]
+
+    @cached_property
+    def ring(self) -> Matrix:
+        """Points of the outline in O."""
+        return _dense(np.asarray(self.wish.thing.outline))
 
     @property
     def yaw(self) -> float:
@@ -116,17 +122,15 @@ class Target:
             where = "beyond" if inside < 0 else "from"
             off = f"{100 * abs(inside):.1f} cm {where} the edge of {self.support.name}"
             return 0, f"its middle would be {off}; {100 * MARGIN:.0f} cm within it are needed"
-        ring = _dense(_moved(np.asarray(self.wish.thing.outline), X_SO))
+        ring = _moved(self.ring, X_SO)
         if self.region is not None:
             region = self.region
             out = [p for p in ring if region.depth(p) < 0 and self.polygon.contains(p)]
             if out:
                 return 1, self._too_small()
         for name, other in self.taken:
-            theirs = _dense(np.asarray(other.vertices))
-            apart = np.linalg.norm(ring[:, None] - theirs[None], axis=2).min()
-            nested = other.contains(ring[0]) or geometry.Polygon(ring).contains(theirs[0])
-            if apart < GAP or nested:
+            apart = np.linalg.norm(ring[:, None] - other[None], axis=2).min()
+            if apart < GAP or _is_in(ring[0], other) or _is_in(other[0], ring):
                 near = f"'{name}' is there, or less than {1000 * GAP:.0f} mm away"
                 return 2, f"the place is taken: {near}"
         return 3, ""
@@ -218,10 +222,7 @@ def stage_of(target: Target, grasp: Any) -> dict[str, Any] | str:
         poses = target.over_edges(_at_edge(grasp))
     else:
         poses = target.spread()
-    found: list[Matrix] = []
-    for X_SO in poses:
-        if len(found) < MOST and not target.fault(X_SO)[1]:
-            found.append(X_SO)
+    found = list(itertools.islice((X for X in poses if not target.fault(X)[1]), MOST))
     if not found:
         return (
             f"a finger is below the object: it must lie over a real edge of {target.support.name}, "
@@ -268,6 +269,15 @@ def _at_edge(slide: Any) -> Matrix:
 def _moved(ring: Matrix, X: Matrix) -> Matrix:
     moved: Matrix = ring @ X[:2, :2].T + X[:2, 3]
     return moved
+
+
+def _is_in(p: Matrix, ring: Matrix) -> bool:
+    """True if a point lies in a polygon that does not pass through it."""
+    ahead = np.roll(ring, -1, axis=0)
+    crossing = (ring[:, 1] > p[1]) != (ahead[:, 1] > p[1])
+    a, b = ring[crossing], ahead[crossing]
+    x = a[:, 0] + (p[1] - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+    return bool(np.count_nonzero(x > p[0]) % 2)
 
 
 def _dense(ring: Matrix) -> Matrix:

@@ -28,9 +28,11 @@ from ..tasks.statement import pose_fields
 
 if TYPE_CHECKING:
     from .. import robot as robots
+    from ..frames import Matrix
     from ..perception import Object, Support
 
 
+SMOOTH = 0.0015  # by which corners of a noisy outline may be off those that are left [m]
 CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
 
 
@@ -135,7 +137,7 @@ def object_fields(wish: Wish) -> dict[str, Any]:
     place = scenes.planar_pose(wish.support.X_WS, wish.thing.X_WO)
     return {
         "name": wish.name,
-        "polygon": rows_of(wish.thing.outline),
+        "polygon": rows_of(simplified(np.asarray(wish.thing.outline), SMOOTH)),
         "thickness": float(wish.thing.thickness),
         "pose": place,
         **({} if wish.mass is None else {"mass": wish.mass}),
@@ -203,6 +205,35 @@ def documents(obstacles: list[Any]) -> list[dict[str, Any]]:
         obstacle.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
         for obstacle in obstacles
     ]
+
+
+def simplified(ring: Matrix, tolerance: float) -> Matrix:
+    """Returns corners [M, 2] of a ring [N, 2] such that the others are within `tolerance` [m].
+
+    By Douglas and Peucker. A ring that would cross itself is returned as it is.
+    """
+    first = int(np.argmax(np.linalg.norm(ring - ring.mean(axis=0), axis=1)))
+    turned = np.roll(ring, -first, axis=0)
+    far = int(np.argmax(np.linalg.norm(turned - turned[0], axis=1)))
+    closed = np.vstack([turned, turned[:1]])
+    kept = [*_kept(closed, 0, far, tolerance), *_kept(closed, far, len(ring), tolerance)]
+    found: Matrix = closed[kept]
+    try:
+        geometry.Polygon(found)
+    except ValueError:
+        return ring
+    return found
+
+
+def _kept(line: Matrix, first: int, last: int, tolerance: float) -> list[int]:
+    """Returns the rows of a line from `first` to before `last` that are kept."""
+    along = line[last] - line[first]
+    off = line[first : last + 1] - line[first]
+    away = np.abs(along[0] * off[:, 1] - along[1] * off[:, 0]) / max(np.linalg.norm(along), 1e-12)
+    k = first + int(np.argmax(away))
+    if away[k - first] <= tolerance:
+        return [first]
+    return [*_kept(line, first, k, tolerance), *_kept(line, k, last, tolerance)]
 
 
 def distance_to(p: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:

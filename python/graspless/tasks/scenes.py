@@ -27,6 +27,7 @@ RESPECT = (
     "the space that no ray reached, except behind the object itself"
 )
 SLAB = 0.02  # thickness of supports as obstacles [m]
+GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
 SUNK = 0.001  # depth of the top of the object's own support as an obstacle [m]
 
 
@@ -77,7 +78,8 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
     if respect == "nothing":
         return []
     found = [
-        Obstacle(name=f"scene {other.name}", parts=_prisms(other.outline, 0.0, other.thickness),
+        Obstacle(name=f"scene {other.name}",
+                 parts=_prisms(outline_of(other), 0.0, other.thickness),
                  pose=_pose(other.X_WO))
         for other in scene.objects
         if other.name != thing.name
@@ -105,6 +107,20 @@ def slab(support: Support, top: float = 0.0) -> Obstacle:
     """Returns a support as an obstacle; `top` is the height of its upper face in S [m]."""
     parts = _prisms(support.polygon, top - SLAB, top)
     return Obstacle(name=f"scene {support.name}", parts=parts, pose=_pose(support.X_WS))
+
+
+def outline_of(other: Object) -> Matrix:
+    """Returns the outline of an obstacle: its convex hull if this is hardly larger.
+
+    Noisy outlines fall into dozens of convex parts, each of which is tested for collisions.
+    """
+    from .chain.lying import convex_hull
+
+    outline = np.asarray(other.outline)
+    hull = convex_hull(outline)
+    added = geometry.Polygon(hull).area - geometry.Polygon(outline).area
+    around = float(np.linalg.norm(hull - np.roll(hull, 1, axis=0), axis=1).sum())
+    return hull if added <= GROWN * around else outline
 
 
 def _prisms(corners: Matrix, low: float, high: float) -> list[Shape]:
