@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .wish import Wish
 
 STRATEGIES = ("pinch", "slide", "clasp")
+SMOOTH = 0.0015  # by which corners of a slid object may be off those that are left [m]
 TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
 NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
 MOST = 2000  # points that are compared
@@ -78,7 +79,8 @@ def _pinch(wish: Wish) -> dict[str, Any]:
 
 
 def _slide(wish: Wish) -> dict[str, Any]:
-    return _pinch(wish) | {"support": support_fields(wish, wish.real_edges)}
+    support = support_fields(wish, wish.real_edges)
+    return _pinch(wish) | {"object": object_fields(wish, SMOOTH), "support": support}
 
 
 def _clasp(wish: Wish) -> dict[str, Any]:

@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from ..perception import Object, Support
 
 
-SMOOTH = 0.0015  # by which corners of a noisy outline may be off those that are left [m]
 CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
 
 
@@ -132,12 +131,13 @@ def wish_of(
     )
 
 
-def object_fields(wish: Wish) -> dict[str, Any]:
-    """Returns the object of a slide or a pinch."""
+def object_fields(wish: Wish, smooth: float = 0.0) -> dict[str, Any]:
+    """Returns the object of a slide or a pinch; `smooth` is the tolerance of its outline [m]."""
+    outline = np.asarray(wish.thing.outline)
     place = scenes.planar_pose(wish.support.X_WS, wish.thing.X_WO)
     return {
         "name": wish.name,
-        "polygon": rows_of(simplified(np.asarray(wish.thing.outline), SMOOTH)),
+        "polygon": rows_of(simplified(outline, smooth) if smooth > 0 else outline),
         "thickness": float(wish.thing.thickness),
         "pose": place,
         **({} if wish.mass is None else {"mass": wish.mass}),
