@@ -478,3 +478,15 @@ def test_an_obstacle_is_its_hull_unless_it_is_hollow(scene):
         touches_border=False, warnings=[],
     )  # fmt: skip
     assert len(outline_of(hollow)) == 6
+
+
+@pytest.mark.parametrize(("size", "least", "most"), [(0.12, 0.035, 0.09), (0.07, 0.02, 0.035)])
+def test_a_slide_ends_with_a_deep_grasp_if_there_is_one(size, least, most):
+    found = seen(([size, size, 0.006], 0.5, 0.2, 0.003, 0.3))
+    plan = graspless.pick(found, found.objects[0].name, "wam_t42", strategies=["slide"]).plan
+    slide = plan.stages[0]
+    support = slide.task.problem.support
+    X_SO = np.linalg.inv(support.X_WS) @ slide.segments[-1].object_poses[-1]
+    corners = np.asarray(slide.task.problem.object.outline.vertices) @ X_SO[:2, :2].T + X_SO[:2, 3]
+    overhang = max(-support.polygon.depth(corner) for corner in corners)
+    assert least <= overhang <= most

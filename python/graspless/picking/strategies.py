@@ -42,7 +42,9 @@ def require_strategies(strategies: Sequence[str]) -> list[str]:
     return asked
 
 
-def chain_of(strategy: str, wish: Wish, seed: int, seconds: float) -> dict[str, Any]:
+def chain_of(
+    strategy: str, wish: Wish, seed: int, seconds: float, overhang: float | None = None
+) -> dict[str, Any]:
     """Returns the task of a strategy: grasp the object, and lift it."""
     lift = {
         "name": "lift",
@@ -51,6 +53,8 @@ def chain_of(strategy: str, wish: Wish, seed: int, seconds: float) -> dict[str, 
         "options": {"max_twist": TWIST},
     }
     grasp = {"name": strategy, "kind": strategy, **_FIELDS[strategy](wish)}
+    if overhang is not None:
+        grasp["options"] = {"min_overhang": overhang}
     return {
         "kind": "chain",
         "robot": wish.robot,

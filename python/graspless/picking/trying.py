@@ -25,6 +25,10 @@ if TYPE_CHECKING:
 # Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
 SEEDS = {"pinch": 1, "slide": 8, "clasp": 1}
 APART = 2**32  # between their seeds: those of `best_of` follow each other
+# A hand that grips an object 2 cm from its edge loses one of 0.2 kg: the weight turns it. Least
+# overhangs of slides, tried in this order [m]; None is that of the planner.
+DEEP_FIRST = (0.035, None)
+FEW = 2000  # iterations of all but the last
 
 
 def attempt_plan(
@@ -86,20 +90,26 @@ def _measured_plan(
 ) -> tuple[Plan, str]:
     """Plans a strategy, and with other seeds while heights that were measured speak against it.
 
-    Returns the plan and what speaks against the last one, if anything does.
+    A slide is planned with a deep grasp first, and with a shallow one if there is none. Returns the
+    plan and what speaks against the last one, if anything does.
     """
     began = time.monotonic()
-    document = chain_of(strategy, wish, seed, seconds)
-    task = task_from_dict(document, strategy, resolve=True)
-    for k in range(SEEDS[strategy]):
-        if k > 0 and time.monotonic() - began >= seconds:
-            break
-        plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
-        doubted = doubt(plan, wish) if plan else ""
-        if plan and not doubted and target is not None:
-            left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
-            plan, doubted = _placed(plan, target, document, left)
-        if not doubted:
+    for overhang in DEEP_FIRST if strategy == "slide" else (None,):
+        document = chain_of(strategy, wish, seed, seconds, overhang)
+        task = task_from_dict(document, strategy, resolve=True)
+        if overhang is not None:
+            task = task.with_changes(iterations=FEW)
+        for k in range(SEEDS[strategy]):
+            plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
+            doubted = doubt(plan, wish) if plan else ""
+            if plan and not doubted and target is not None:
+                left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
+                plan, doubted = _placed(plan, target, document, left)
+            if plan and not doubted:
+                return plan, ""
+            if not doubted or time.monotonic() - began >= seconds:
+                break
+        if time.monotonic() - began >= seconds:
             break
     return plan, doubted
 
