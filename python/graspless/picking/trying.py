@@ -14,7 +14,7 @@ from ..tasks import task_from_dict
 from . import place as places
 from .measured import doubt
 from .result import FAULTY, REFUSED
-from .strategies import LEAST_SECONDS, chain_of, explained, refusal
+from .strategies import LEAST_SECONDS, WAYS, chain_of, explained, refusal
 
 if TYPE_CHECKING:
     from ..chain import Plan
@@ -25,10 +25,6 @@ if TYPE_CHECKING:
 # Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
 SEEDS = {"pinch": 1, "slide": 8, "clasp": 1}
 APART = 2**32  # between their seeds: those of `best_of` follow each other
-# A hand that grips an object 2 cm from its edge loses one of 0.2 kg: the weight turns it. Least
-# overhangs of slides, tried in this order [m]; None is that of the planner.
-DEEP_FIRST = (0.035, None)
-FEW = 2000  # iterations of all but the last
 
 
 def attempt_plan(
@@ -60,8 +56,7 @@ def attempt_plan(
         if attempt.reason:
             attempt.status = REFUSED
             return None
-        plan, doubted = _measured_plan(attempt.strategy, wish, target, seed, seconds)
-        faults = check(plan) if plan and not doubted else []
+        plan, doubted, faults = _plan(attempt.strategy, wish, target, seed, seconds)
     except OutOfTimeError as error:
         attempt.status, attempt.reason = "out_of_time", str(error)
         return None
@@ -85,33 +80,35 @@ def attempt_plan(
     return plan if plan else None
 
 
-def _measured_plan(
+def _plan(
     strategy: str, wish: Wish, target: Target | None, seed: int, seconds: float
-) -> tuple[Plan, str]:
-    """Plans a strategy, and with other seeds while heights that were measured speak against it.
+) -> tuple[Plan, str, list[str]]:
+    """Plans a strategy in its ways, until a plan fits the measured heights and passes its check.
 
-    A slide is planned with a deep grasp first, and with a shallow one if there is none. Returns the
-    plan and what speaks against the last one, if anything does.
+    Returns the last plan, what speaks against it, and its faults.
     """
     began = time.monotonic()
-    for overhang in DEEP_FIRST if strategy == "slide" else (None,):
-        document = chain_of(strategy, wish, seed, seconds, overhang)
-        task = task_from_dict(document, strategy, resolve=True)
-        if overhang is not None:
-            task = task.with_changes(iterations=FEW)
+    for way in WAYS[strategy]:
+        document = chain_of(strategy, wish, seed, seconds, way)
+        task = task_from_dict(document, strategy, resolve=True).with_changes(
+            iterations=way.iterations
+        )
+        faults: list[str] = []
         for k in range(SEEDS[strategy]):
             plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
             doubted = doubt(plan, wish) if plan else ""
             if plan and not doubted and target is not None:
                 left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
                 plan, doubted = _placed(plan, target, document, left)
-            if plan and not doubted:
-                return plan, ""
             if not doubted or time.monotonic() - began >= seconds:
+                break
+        if plan and not doubted:
+            faults = check(plan)
+            if not faults:
                 break
         if time.monotonic() - began >= seconds:
             break
-    return plan, doubted
+    return plan, doubted, faults
 
 
 def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[Plan, str]:
