@@ -213,12 +213,18 @@ def test_follows_a_slide_in_closed_loop(bus):
     assert not any(arm[-1].points[0].velocities)
 
 
-def test_closed_loop_stops_when_the_object_is_not_seen_any_more(bus):
-    phases = []
-    handle = bus.send(goal(closed_loop=True), lambda message: phases.append(message.feedback.phase))
+def object_pose():
+    """The card where it is at the start."""
     X_WO = graspless.load_task(EXAMPLES / "01_slide_card.yaml").problem.X_WO_start
     message = PoseWithCovarianceStamped()
     message.header.frame_id, message.pose.pose = "world", pose_of(X_WO)
+    return message
+
+
+def test_closed_loop_stops_when_the_object_is_not_seen_any_more(bus):
+    phases = []
+    handle = bus.send(goal(closed_loop=True), lambda message: phases.append(message.feedback.phase))
+    message = object_pose()
     end = time.monotonic() + 20
     while "slide" not in phases and time.monotonic() < end:
         message.header.stamp = time_of(bus.rig.t)
@@ -229,6 +235,56 @@ def test_closed_loop_stops_when_the_object_is_not_seen_any_more(bus):
     assert "pose" in motion.reason
     arm = [trajectory for group, trajectory in bus.rig.streamed if group == "arm"]
     assert not any(arm[-1].points[0].velocities)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "reason"),
+    [
+        (lambda m: setattr(m.pose.pose.position, "x", float("nan")), "not finite"),
+        (lambda m: setattr(m.pose.pose.orientation, "w", 0.0), "quaternion of norm 0"),
+        (lambda m: m.pose.covariance.__setitem__(0, float("nan")), "covariance"),
+        (lambda m: m.pose.covariance.__setitem__(0, -1.0), "covariance"),
+        (lambda m: setattr(m.header, "frame_id", "moon"), "'moon'"),
+        (lambda m: setattr(m.header, "frame_id", ""), "names no frame"),
+    ],
+)
+def test_closed_loop_uses_no_pose_that_cannot_be_trusted(bus, spoil, reason):
+    """Such poses count as none: the slide is followed blindly, as it was planned."""
+    refused = bus.node.poses.refused
+    message = object_pose()
+    spoil(message)
+    handle = bus.send(goal(closed_loop=True))
+    future = handle.get_result_async()
+    while not future.done():
+        message.header.stamp = time_of(bus.rig.t)
+        bus.poses.publish(message)
+        bus.settle(0.02)
+    assert future.result().result.motion.status == "executed"
+    assert bus.node.poses.refused > refused
+    assert reason in bus.node.poses.reason
+
+
+@pytest.mark.parametrize("when", ["slide", "squeeze"])
+def test_closed_loop_stops_when_time_jumps_back(bus, when):
+    handle = bus.send(goal(closed_loop=True))
+    if when == "slide":
+        bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    else:  # at the end, only the hand moves
+        bus.until(lambda: squeezes(bus), "the hand does not close on")
+    with bus.rig.lock:
+        bus.rig.t -= 100.0
+    motion = bus.result(handle)[1].motion
+    assert (motion.status, motion.reason) == ("stopped", "time has jumped back")
+
+
+def squeezes(bus):
+    """True once the hand is farther closed than the plan closes it."""
+    plan = graspless.plan(EXAMPLES / "01_slide_card.yaml", seed=1)
+    end = dict(zip(plan.joint_names, plan.segments[-1].positions[-1], strict=True))
+    begin = dict(zip(plan.joint_names, plan.segments[0].positions[0], strict=True))
+    name = bus.given["hand"]["joints"][0]
+    way = np.sign(end[name] - begin[name])
+    return way * (bus.rig.q[name] - end[name]) > 0.02
 
 
 def test_closed_loop_can_be_cancelled(bus):

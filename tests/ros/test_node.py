@@ -5,18 +5,23 @@
 import json
 import os
 import signal
+import subprocess
+import sys
 import time
 
 import numpy as np
 import pytest
 import yaml
 from action_msgs.msg import GoalStatus
+from action_msgs.srv import CancelGoal
 from graspless_msgs.action import PlanTask
 from graspless_msgs.srv import CheckPlan
+from rclpy.serialization import serialize_message
 from rig import EXAMPLES, TASK
 
 import graspless
 from graspless.plan_files import read_plan
+from graspless.ros.results import Kept, bytes_of
 
 DONE, CANCELED, ABORTED = (
     GoalStatus.STATUS_SUCCEEDED,
@@ -207,6 +212,54 @@ def test_survives_a_planner_that_dies(bus):
     assert (status, result.motion.status) == (ABORTED, "crashed")
     assert "died" in result.motion.reason
     assert bus.do(PlanTask.Goal(task=TASK, seed=1))[1].motion.status == "solved"
+
+
+CLIENT = """
+import sys, time, rclpy
+from graspless_msgs.action import PlanTask
+from rclpy.action import ActionClient
+rclpy.init()
+node = rclpy.create_node("victim")
+client = ActionClient(node, PlanTask, "plan_task")
+assert client.wait_for_server(20)
+goal = PlanTask.Goal(task=sys.argv[1], seconds=30.0)
+rclpy.spin_until_future_complete(node, client.send_goal_async(goal))
+print("sent", flush=True)
+time.sleep(60)
+"""
+
+
+def test_the_goal_of_a_killed_client_goes_on_and_others_can_cancel_it(bus):
+    command = [sys.executable, "-c", CLIENT, slow().task]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as client:
+        assert client.stdout.readline() == b"sent\n"
+        client.kill()
+    bus.settle()
+    assert bus.node.desk.size == 1
+    before = bus.node.desk.counts.get("canceled", 0)
+    service = bus.client.create_client(CancelGoal, "plan_task/_action/cancel_goal")
+    assert service.wait_for_service(20)
+    answer = bus.wait(service.call_async(CancelGoal.Request()))
+    bus.client.destroy_client(service)
+    assert len(answer.goals_canceling) == 1
+    bus.until(lambda: bus.node.desk.size == 0)
+    assert bus.node.desk.counts["canceled"] == before + 1
+
+
+def test_the_oldest_results_lose_their_motions(bus):
+    results = [bus.do(PlanTask.Goal(task=TASK, seed=1))[1] for _ in range(3)]
+    size = bytes_of(results[0].motion)
+    assert size == pytest.approx(len(serialize_message(results[0])), rel=0.1)
+    kept = Kept(int(2.5 * size))
+    for result in results:
+        kept.add(result.motion)
+    assert [bool(result.motion.plan) for result in results] == [False, True, True]
+    motion = results[0].motion
+    assert bytes_of(motion) == 0
+    assert (motion.status, len(motion.margins)) == ("solved", 1)
+    assert "not kept" in motion.warnings[-1]
+    Kept(1).add(results[1].motion)  # the newest one is kept however large it is
+    assert results[1].motion.plan
 
 
 def test_an_inactive_node_refuses(bus):

@@ -45,7 +45,7 @@ class Requests:
             certify=asked.certify,
             robot=robot,
             home=self._home(asked.execute),
-            limits=s.limits,
+            limits=s.limits | {"rate": s.trajectory_rate},
             squeeze=s.squeeze,
             directory=s.task_directory or None,
         )
@@ -89,7 +89,7 @@ class Requests:
             lift=asked.lift or 0.1,
             seed=asked.seed or 1,
             seconds=asked.seconds or 10.0,
-            limits=s.limits,
+            limits=s.limits | {"rate": s.trajectory_rate},
             squeeze=s.squeeze,
         )
 

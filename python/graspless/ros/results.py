@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from graspless_msgs.action import PickObject, PlanTask
@@ -70,3 +71,36 @@ def pick_result(ending: Ending, settings: Settings, stamp: Any) -> Any:
     result.objects = [name for name, _ in found.objects]
     result.poses = poses_of([X for _, X in found.objects], settings.world_frame, stamp)
     return result
+
+
+class Kept:
+    """The motions that are kept: the newest ones, since a motion takes megabytes in Python.
+
+    Parameters
+    ----------
+    most : int
+        Largest size of all as messages [bytes]. The newest one may be larger.
+    """
+
+    def __init__(self, most: int) -> None:
+        self._most, self._size = most, 0
+        self._motions: deque[tuple[int, Any]] = deque()
+
+    def add(self, motion: Any) -> None:
+        """Adds the message of a result. The oldest ones lose plan, trajectories and poses."""
+        if not motion.plan:
+            return
+        self._motions.append((bytes_of(motion), motion))
+        self._size += self._motions[-1][0]
+        while len(self._motions) > 1 and self._size > self._most:
+            size, oldest = self._motions.popleft()
+            self._size -= size
+            oldest.plan, oldest.controllers, oldest.trajectories = "", [], []
+            oldest.object_poses.poses = []
+            oldest.warnings.append("the motion is not kept any more: ask for results sooner")
+
+
+def bytes_of(motion: Any) -> int:
+    """Returns the size of plan, trajectories and poses in a Motion, without names [bytes]."""
+    rows = sum(len(each.points) * (24 * len(each.joint_names) + 24) for each in motion.trajectories)
+    return rows + 56 * len(motion.object_poses.poses) + len(motion.plan)

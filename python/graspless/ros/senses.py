@@ -249,6 +249,8 @@ class ObjectPose:
         X_WF = self._transforms.lookup(self._world, message.header.frame_id, stamp)
         covariance = np.array(message.pose.covariance, dtype=float).reshape(6, 6)
         turned: Matrix | None = None
+        if not np.isfinite(covariance).all() or (np.diag(covariance) < 0).any():
+            raise RefusedError("the pose of the object has a covariance that is none")
         if covariance.any():  # all zeros: unknown, by the conventions of ROS
             R = np.zeros((6, 6))
             R[:3, :3] = R[3:, 3:] = X_WF[:3, :3]

@@ -11,12 +11,14 @@ from rclpy.qos import QoSProfile
 
 from ..errors import explain
 from .goals import Ending, Goal
+from .results import Kept
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 _MANY = QoSProfile(depth=1000)  # by default the eleventh request at once is lost
 _KEPT = 60  # time of the node for which the result of a goal can be asked for [s]
+WHOLE = 2_000_000  # results that are kept with their motions, as messages [bytes]
 
 
 class Server:
@@ -47,6 +49,7 @@ class Server:
         self._node, self._action = node, action
         self._begin, self._withdraw, self._result = begin, cancel, result
         self._goals: dict[bytes, Goal] = {}
+        self._kept = Kept(WHOLE)
         self.server: Any = ActionServer(
             node,
             action,
@@ -77,6 +80,7 @@ class Server:
         ending: Ending = await goal.future
         del self._goals[key]
         result = self._result(ending)
+        self._kept.add(result.motion)  # rclpy keeps it
         if ending.is_success:
             handle.succeed()
         elif handle.is_cancel_requested:

@@ -64,6 +64,7 @@ class Settings:
     controller_seconds: float = _about(2.0, "time to wait for an answer of a controller [s]")
     overtime_seconds: float = _about(5.0, "lateness after which a trajectory is stopped [s]")
     rate: float = _about(100.0, "targets per second in closed loop [1/s]")
+    trajectory_rate: float = _about(20.0, "points per second of trajectories [1/s]")
     squeeze: float = _about(
         0.2, "closing of the hand beyond contact [rad; of sliding joints 1/10 m]"
     )
@@ -91,6 +92,7 @@ _POSITIVE = (
     "controller_seconds",
     "overtime_seconds",
     "rate",
+    "trajectory_rate",
 )
 
 

@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
 import traceback
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import rclpy
@@ -17,6 +19,23 @@ from ..errors import TaskError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+
+OWN = (  # variables of a user who has configured Fast DDS
+    "FASTDDS_DEFAULT_PROFILES_FILE",
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "FASTDDS_BUILTIN_TRANSPORTS",
+)
+
+
+def share_memory() -> None:
+    """Gives Fast DDS enough shared memory, unless the user has configured it.
+
+    What is sent to a client that was killed stays in the sender's shared memory until the client
+    is given up. The default of 0.5 MB is full after a few results, and then no other client gets
+    any. Must be called before ROS is initialised.
+    """
+    if not any(os.environ.get(name) for name in OWN):
+        os.environ[OWN[0]] = str(Path(__file__).with_name("fastdds.xml"))
 
 
 def spin(executor: Any, is_over: Callable[[], bool] = lambda: False) -> None:
@@ -40,6 +59,7 @@ def run_node(arguments: Sequence[str]) -> bool:
     """
     from .node import GrasplessNode
 
+    share_memory()
     return _run(GrasplessNode, arguments)
 
 

@@ -131,10 +131,10 @@ class Streaming:
                 tell(phase)
             yield target
             if target.status == "done":
-                yield from self._squeeze(target, found, follower.plan, cancel)
+                yield from self._squeeze(target, found, follower.plan, cancel, timer)
                 return
 
-    def _squeeze(self, target: Target, found: Found, plan: Any, cancel: Alarm) -> Any:
+    def _squeeze(self, target: Target, found: Found, plan: Any, cancel: Alarm, timer: Timer) -> Any:
         """Yields targets that close the hand on."""
         period = 1 / self._settings.rate
         robot = plan.task.problem.robot
@@ -143,7 +143,8 @@ class Streaming:
         for share in np.linspace(0.0, 1.0, max(2, round(SECONDS * self._settings.rate))):
             if cancel.has_rung:
                 raise HaltedError("canceled", "canceled during the execution")
-            self._joints.positions(found.joint_names, self._settings.joint_state_seconds)
+            timer.elapsed()
+            positions(self._joints, found.joint_names, self._settings.joint_state_seconds, timer)
             velocity = closing / SECONDS if share < 1 else 0 * closing
             position = target.position + share * closing
             yield dataclasses.replace(target, position=position, velocity=velocity)

@@ -15,6 +15,7 @@ from . import jobs, work
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from multiprocessing.connection import Connection
 
 _ENOUGH = 1.0  # for a process that was killed to be gone [s]
 
@@ -54,7 +55,12 @@ class Alarm:
 
 
 class Workers:
-    """Starts processes from one that has imported all that they need, which takes milliseconds."""
+    """Starts processes from one that has imported all that they need, which takes milliseconds.
+
+    Every start also polls the processes before it, and no process may be polled by two threads: the
+    second would read its exit code from a file descriptor that may have been closed and opened
+    anew, such as that of an Alarm, and wait there forever. So whatever polls holds the lock.
+    """
 
     def __init__(self) -> None:
         self._context = multiprocessing.get_context("forkserver")
@@ -82,30 +88,39 @@ class Workers:
         """
         ours, theirs = self._context.Pipe(duplex=False)
         process = self._context.Process(target=work.main, args=(theirs, job), daemon=True)
-        try:
-            with self._lock:  # the server of forks answers one request at a time
+        with ours:
+            with theirs, self._lock:
                 process.start()
-            theirs.close()
-            while not cancel.has_rung:
-                if ours not in wait([ours, cancel.fileno()]):
-                    break
-                received = ours.recv()
-                if isinstance(received, jobs.Found):
-                    return received
-                tell(received)
-            return None
-        except EOFError:
-            process.join(_ENOUGH)
-            how = f"exit code {process.exitcode}"
-            return jobs.Found("crashed", f"the planner died ({how}); the node goes on")
-        finally:
-            ours.close()
-            process.kill()
-            threading.Thread(target=_reap, args=(process,), daemon=True).start()
+            try:
+                return _heard(ours, cancel, tell)
+            except (EOFError, OSError):  # at the end of a message, in the middle of one
+                how = f"exit code {self._exit_code(process)}"
+                return jobs.Found("crashed", f"the planner died ({how}); the node goes on")
+            finally:
+                with self._lock:
+                    process.kill()
+                threading.Thread(target=self._reap, args=(process,), daemon=True).start()
+
+    def _exit_code(self, process: Any) -> int | None:
+        wait([process.sentinel], _ENOUGH)
+        with self._lock:
+            code: int | None = process.exitcode
+            return code
+
+    def _reap(self, process: Any) -> None:
+        """Waits for a process that was killed: it takes a while to free its memory."""
+        wait([process.sentinel], _ENOUGH)
+        with self._lock, contextlib.suppress(ValueError):  # it is not gone yet
+            process.close()
 
 
-def _reap(process: Any) -> None:
-    """Waits for the end of a process that was killed, which takes a while to free its memory."""
-    process.join(_ENOUGH)
-    with contextlib.suppress(ValueError):  # it is not gone yet
-        process.close()
+def _heard(ours: Connection, cancel: Alarm, tell: Callable[[str], object]) -> jobs.Found | None:
+    """Returns what a process has found; None if it was cancelled before."""
+    while not cancel.has_rung:
+        if ours not in wait([ours, cancel.fileno()]):
+            break
+        received = ours.recv()
+        if isinstance(received, jobs.Found):
+            return received
+        tell(received)
+    return None

@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A node that finds nobody: no robot, no camera, no controllers. Each goal says what is missing."""
+
+import threading
+import time
+
+import pytest
+import rclpy
+from graspless_msgs.action import PickObject, PlanTask
+from rclpy.action import ActionClient
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.parameter import Parameter
+from rig import TASK
+from sensor_msgs.msg import JointState
+
+from graspless import TaskError
+from graspless.ros import demo
+from graspless.ros.demo import Transcript, parameters
+from graspless.ros.diagnostics import diagnostics_of
+from graspless.ros.node import GrasplessNode
+from graspless.ros.results import bytes_of
+from graspless.ros.server import WHOLE
+from graspless.ros.spinning import spin
+
+
+class Alone:
+    """A node and a client in a namespace where nobody else is."""
+
+    def __init__(self):
+        self.context = rclpy.Context()
+        rclpy.init(context=self.context)
+        given = parameters()
+        short = {"controller_seconds": 0.3, "image_seconds": 0.3, "tf_seconds": 0.1}
+        values = {"controllers": given["controllers"]} | short
+        for group in values["controllers"]:
+            values |= {f"{group}.{key}": value for key, value in given[group].items()}
+            values[f"{group}.action"] = f"/nobody/{group}/follow_joint_trajectory"
+            values[f"{group}.topic"] = f"/nobody/{group}/joint_trajectory"
+        self.joints = [name for group in values["controllers"] for name in given[group]["joints"]]
+        self.node = GrasplessNode(
+            namespace="alone",
+            context=self.context,
+            parameter_overrides=[Parameter(name, value=value) for name, value in values.items()],
+        )
+        assert self.node.start()
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self.is_over = threading.Event()
+        self.thread = threading.Thread(target=spin, args=(self.executor, self.is_over.is_set))
+        self.thread.start()
+        self.client = rclpy.create_node("client", namespace="alone", context=self.context)
+        self.own = SingleThreadedExecutor(context=self.context)
+        self.own.add_node(self.client)
+        self.plan_task = ActionClient(self.client, PlanTask, "plan_task")
+        self.pick_object = ActionClient(self.client, PickObject, "pick_object")
+        self.states = self.client.create_publisher(JointState, "joint_states", 10)
+
+    def close(self):
+        self.node.end_goals()
+        self.is_over.set()
+        self.thread.join()
+        self.node.close()
+        for executor in (self.own, self.executor):
+            executor.shutdown()
+        for node in (self.client, self.node):
+            node.destroy_node()
+        rclpy.shutdown(context=self.context)
+
+    def do(self, goal, states=False):
+        """Returns the motion of a goal; publishes that all joints are at 0 meanwhile."""
+        handle = self.send(goal, states)
+        return self.result(handle, states)
+
+    def send(self, goal, states=False):
+        client = self.plan_task if isinstance(goal, PlanTask.Goal) else self.pick_object
+        assert client.wait_for_server(20)
+        sent = client.send_goal_async(goal)
+        self._until(sent.done, states)
+        return sent.result()
+
+    def result(self, handle, states=False):
+        future = handle.get_result_async()
+        self._until(future.done, states)
+        return future.result().result.motion
+
+    def _until(self, is_so, states):
+        end = time.monotonic() + 20
+        while not is_so():
+            assert time.monotonic() < end
+            if states:
+                message = JointState(name=self.joints, position=[0.0] * len(self.joints))
+                message.header.stamp = self.client.get_clock().now().to_msg()
+                self.states.publish(message)
+            self.own.spin_once(timeout_sec=0.02)
+
+
+@pytest.fixture(scope="module")
+def alone():
+    made = Alone()
+    yield made
+    assert made.node.faults == 0
+    made.close()
+
+
+def test_a_robot_that_says_nothing_is_not_moved(alone):
+    motion = alone.do(PlanTask.Goal(task=TASK, seed=1, execute=True))
+    assert motion.status == "refused"
+    assert motion.reason.startswith(f"no joint state was heard of {alone.joints[0]}")
+
+
+@pytest.mark.parametrize(
+    ("closed_loop", "reason"),
+    [
+        (False, "nobody serves /nobody/arm/follow_joint_trajectory"),
+        (True, "nobody listens to /nobody/arm/joint_trajectory"),
+    ],
+)
+def test_controllers_that_are_not_there_are_named(alone, closed_loop, reason):
+    goal = PlanTask.Goal(task=TASK, seed=1, execute=True, closed_loop=closed_loop)
+    motion = alone.do(goal, states=True)
+    assert (motion.status, motion.reason) == ("refused", reason)
+
+
+def test_a_camera_that_is_not_there_is_told(alone):
+    motion = alone.do(PickObject.Goal(name="object_0", robot="wam_t42"))
+    assert (motion.status, motion.reason) == ("refused", "no depth image came within 0.3 s")
+
+
+def test_a_description_that_never_came_is_told(alone):
+    motion = alone.do(PickObject.Goal(name="object_0"))
+    assert motion.status == "refused"
+    assert "no robot_description was received" in motion.reason
+
+
+def test_results_can_be_asked_for_again_until_others_need_the_memory(alone):
+    goal = PlanTask.Goal(task=TASK, seed=1)
+    handle = alone.send(goal)
+    size = bytes_of(alone.result(handle))
+    assert alone.result(handle).trajectories
+    motions = [alone.result(handle)]
+    while motions[-1].trajectories:
+        assert alone.do(goal).trajectories
+        motions.append(alone.result(handle))
+    assert len(motions) - 1 == WHOLE // size
+    motion = motions[-1]
+    assert (motion.status, motion.plan) == ("solved", "")
+    assert "not kept" in motion.warnings[-1]
+
+
+def test_diagnostics_say_what_is_missing(alone):
+    texts = {status.name: status.message for status in diagnostics_of(alone.node)}
+    assert texts["graspless: depth image"] == "none was heard"
+    assert texts["graspless: controllers"] == "nobody serves arm, hand"
+
+
+def test_a_client_that_finds_no_node_says_so(bench, monkeypatch):
+    monkeypatch.setattr(demo, "_PATIENCE", 0.3)
+    node = rclpy.create_node("lost", namespace="lost")
+    try:
+        with pytest.raises(TaskError, match="the action pick_object did not come within 0.3 s"):
+            Transcript(node, time.monotonic()).run()
+    finally:
+        node.destroy_node()
