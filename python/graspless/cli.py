@@ -256,6 +256,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
     "pick": ("pick up an object of a scene by whichever way works", _of(".picking.cli")),
     "see": ("find tables and objects in depth images", _of(".perception.cli")),
+    "demonstrate": ("record the planner in MuJoCo, for learners", _of("._demonstrate")),
     "ros": ("run graspless in ROS 2, or a demo of it", _of(".ros.cli")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),

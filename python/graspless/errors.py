@@ -14,14 +14,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 EXTRAS = {  # that bring a package, the smallest first
+    "av": ("video",),
     "collada": ("robots",),
     "dask": ("cluster",),
     "distributed": ("cluster",),
-    "gymnasium": ("gym",),
+    "gymnasium": ("gym", "video"),
     "joblib": ("batch", "cluster"),
     "matplotlib": ("view",),
     "mujoco": ("sim", "rerun", "gym"),
-    "pyarrow": ("gym",),
+    "pyarrow": ("gym", "video"),
     "rerun": ("rerun",),
     "rich": ("batch", "cluster"),
     "robot_descriptions": ("robots",),

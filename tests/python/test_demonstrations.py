@@ -3,6 +3,8 @@
 """Demonstrations are read back by lerobot and by pyarrow, and replay to the same reward."""
 
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -79,20 +81,96 @@ def test_lerobot_reads_them(folder):
             np.testing.assert_array_equal(frame[name].numpy(), found[name][i].astype(np.float32))
 
 
+def recorder(monkeypatch, holds):
+    """Records episodes that hold by their seeds; returns the seeds that were asked for."""
+    seeds, true = [], demonstrations._Takes._record
+
+    def record(self, seed, film):
+        seeds.append(seed)
+        return true(self, seed, film) if holds(seed) else None
+
+    monkeypatch.setattr(demonstrations._Takes, "_record", record)
+    return seeds
+
+
 def test_only_what_held_is_kept(tmp_path, monkeypatch):
-    episodes, true = [], demonstrations._episode
-
-    def every_other(env, seed):
-        episodes.append(seed)
-        return true(env, seed) if seed % 2 else None
-
-    monkeypatch.setattr(demonstrations, "_episode", every_other)
+    seeds = recorder(monkeypatch, lambda seed: seed % 2)
     assert demonstrate("Pick", tmp_path / "a", 1, seed=2) == 2
-    assert episodes == [2, 3]
-    monkeypatch.setattr(demonstrations, "_episode", lambda *_: None)
+    assert seeds == [2, 3]
+    recorder(monkeypatch, lambda _: False)
     with pytest.raises(TaskError, match="Pick: 20 episodes in a row did not hold"):
         demonstrate("Pick", tmp_path / "b", 1)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b.part"]
+
+
+def test_an_interrupted_recording_goes_on(tmp_path, monkeypatch, folder):
+    seeds = recorder(monkeypatch, lambda _: True)
+
+    def interrupt(held, tried):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        demonstrate("Pick", tmp_path / "a", 2, seed=2, progress=interrupt)
+    with pytest.raises(TaskError, match=r"a.part: has episodes of other settings, .*'Pick'"):
+        demonstrate("Tumble", tmp_path / "a", 2)
+    assert demonstrate("Pick", tmp_path / "a", 2, seed=2) == 2
+    assert seeds == [2, 3]  # the first was not recorded again
     assert [path.name for path in tmp_path.iterdir()] == ["a"]
+    for name, values in columns(tmp_path / "a").items():
+        np.testing.assert_array_equal(values, columns(folder)[name])
+
+
+def run(*arguments):
+    command = [sys.executable, "-m", "graspless", "demonstrate", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_the_command_writes_the_same(tmp_path, folder):
+    done = run("Pick", "-o", str(tmp_path / "a"), "--episodes", "2", "--seed", "2")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("2 episodes held, 2 were tried")
+    for name, values in columns(tmp_path / "a").items():
+        np.testing.assert_array_equal(values, columns(folder)[name])
+    again = run("Pick", "-o", str(tmp_path / "a"))
+    assert again.returncode == 2
+    assert "is a folder" in again.stderr
+
+
+@pytest.fixture(scope="module")
+def film(tmp_path_factory):
+    """Two episodes with videos."""
+    pytest.importorskip("av", reason="PyAV is not installed (extra video)")
+    path = tmp_path_factory.mktemp("film") / "pick"
+    done = run("Pick", "-o", str(path), "--episodes", "2", "--seed", "2", "--video")
+    if "cannot render here" in done.stderr:
+        pytest.skip("MuJoCo cannot render here")
+    assert done.returncode == 0, done.stderr
+    return path
+
+
+def test_videos_show_every_frame(film):
+    import av
+
+    found, stats = columns(film), json.loads((film / "meta/stats.json").read_text())
+    for k in range(2):
+        path = film / f"videos/observation.images.front/chunk-000/file-{k:03}.mp4"
+        with av.open(str(path)) as container:
+            pictures = [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+        assert len(pictures) == (found["episode_index"] == k).sum()
+        assert pictures[0].shape == (192, 256, 3)
+        moved = np.abs(pictures[0].astype(int) - pictures[-1]).max(axis=2) > 50
+        assert 0.001 < moved.mean() < 0.5  # the arm, not the whole picture
+    of_all = np.array(stats["observation.images.front"]["mean"]).ravel()
+    assert (np.abs(of_all - np.array(pictures).mean(axis=(0, 1, 2)) / 255) < 0.05).all()
+
+
+@pytest.mark.filterwarnings("ignore:The video decoding:UserWarning")  # of torchvision
+def test_lerobot_reads_videos(film):
+    pytest.importorskip("lerobot", reason="lerobot is not installed")
+    from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
+    dataset = LeRobotDataset("graspless/pick", root=film, video_backend="pyav")
+    assert dataset[len(dataset) - 1]["observation.images.front"].shape == (3, 192, 256)
 
 
 def test_bad_input_is_told(tmp_path):

@@ -17,6 +17,7 @@ from ..simulation.variation import Variation
 from ..simulation.variation import draw as draw_variation
 from ..timing.trajectory import robot_of
 from .draws import DRAWS, PHASES
+from .video import Painter
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -46,6 +47,8 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     varied : bool
         Vary friction, mass and poses in the simulation, as the further trials of `simulate` do. The
         planner does not know of it.
+    render_mode : str, optional
+        rgb_array: `render` returns pictures. Without a screen, set MUJOCO_GL to egl or osmesa.
 
     Attributes
     ----------
@@ -74,13 +77,17 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     """
 
     metadata = {
-        "render_modes": [],
+        "render_modes": ["rgb_array"],
         "render_fps": RATE,
     }
 
-    def __init__(self, name: str, *, varied: bool = False) -> None:
+    def __init__(self, name: str, *, varied: bool = False, render_mode: str | None = None) -> None:
         if name not in DRAWS:
             raise TaskError(f"name: {name}: should be one of {', '.join(DRAWS)}")
+        if render_mode not in (None, "rgb_array"):
+            raise TaskError(f"render_mode: {render_mode}: should be None or rgb_array")
+        self.render_mode = render_mode
+        self._painter: Painter | None = None
         self._draw, self._phases, self._varied = DRAWS[name], PHASES[name], varied
         self._prepare(np.random.default_rng(0))
         dof = len(self.joint_names)
@@ -102,6 +109,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         kind: Any = simulation_kind(self.plan.kind)
         if self._varied:
             variation = draw_variation(self.np_random, getattr(kind, "SPREAD", None))
+        self.close()
         self._running: Running = kind.start(self.plan, variation)
         self._every = max(1, round(1 / RATE / self._running.model.opt.timestep))
         joints = [self._running.model.joint(name) for name in self.joint_names]
@@ -141,6 +149,20 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         action = 2 * (self._running.data.ctrl - self.action_low) / span - 1
         found: NDArray[np.float32] = np.clip(action, -1.0, 1.0).astype(np.float32)
         return found
+
+    def render(self) -> NDArray[np.uint8]:
+        """Returns a picture [192, 256, 3] of the present state."""
+        if self.render_mode is None:
+            raise TaskError("render: render_mode is None: should be rgb_array")
+        if self._painter is None:
+            self._painter = Painter(self._running.model)
+        return self._painter.paint(self._running.data)
+
+    def close(self) -> None:
+        """Frees what rendering needs."""
+        if self._painter is not None:
+            self._painter.close()
+        self._painter = None
 
     def _prepare(self, random: np.random.Generator) -> None:
         """Draws tasks until one has a plan."""
