@@ -28,38 +28,26 @@ THINGS = {
 }
 
 
-def body(size, pose):
+def body(size: list[float], pose: tuple[float, float, float]) -> perception.Body:
     """A box that stands on the table."""
     X_WB = frames.planar(*pose) @ frames.translation([0, 0, size[2] / 2])
     return perception.Body([geometry.PlacedShape(geometry.Box(size))], X_WB)
 
 
-def nearest(scene, pose):
-    """The object of a scene that stands at a pose."""
-    return min(scene.objects, key=lambda o: float(np.linalg.norm(o.X_WO[:2, 3] - pose[:2])))
-
-
-def main():
-    """Plans the picks one after the other, each in a new image."""
-    now = {name: start for name, (_, start, _) in THINGS.items()}
-    for name, (_, start, place) in THINGS.items():
-        bodies = [body(THINGS[other][0], pose) for other, pose in now.items()]
-        frame = perception.render([TABLE, FLOOR, *bodies], perception.look_at(EYE, MIDDLE))
-        scene = graspless.perceive(frame.depth, frame.K, frame.X_WC)
-        x, y, yaw = place
-        found = graspless.pick(
-            scene,
-            nearest(scene, start).name,
-            "wam_t42",
-            place={"pose": {"x": x, "y": y, "yaw": yaw}},
-        )
-        assert found, found.reason
-        assert graspless.check(found.plan) == []
-        end = found.plan.stages[-1].segments[-1].object_poses[-1]
-        print(f"{name}: {', '.join(found.plan.names)}; at {end[0, 3]:.2f} {end[1, 3]:.2f} m")
-        now[name] = place
+now = {name: start for name, (_, start, _) in THINGS.items()}
+for name, (_, start, (x, y, yaw)) in THINGS.items():
+    bodies = [body(THINGS[other][0], pose) for other, pose in now.items()]
+    frame = perception.render([TABLE, FLOOR, *bodies], perception.look_at(EYE, MIDDLE))
+    scene = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    off = [float(np.linalg.norm(thing.X_WO[:2, 3] - start[:2])) for thing in scene.objects]
+    thing = scene.objects[int(np.argmin(off))]
+    place = {"pose": {"x": x, "y": y, "yaw": yaw}}
+    found = graspless.pick(scene, thing.name, "wam_t42", place=place)
+    plan = found.plan
+    assert plan is not None, found.reason
+    assert graspless.check(plan) == []
+    end = plan.stages[-1].segments[-1].object_poses[-1]
+    print(f"{name}: {', '.join(plan.names)}; at {end[0, 3]:.2f} {end[1, 3]:.2f} m")
+    now[name] = (x, y, yaw)
     if len(sys.argv) == 2:
-        graspless.view.write_png(found.plan.stages[-1], sys.argv[1])
-
-
-main()
+        graspless.view.write_png(plan.stages[-1], sys.argv[1])
