@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -32,6 +33,19 @@ Scene failure(Status status, const std::string& reason) {
   scene.status = status;
   scene.reason = reason;
   return scene;
+}
+
+/// Least factor of the noise: no camera resolves a tenth of a millimetre, nor less than its steps,
+/// whose rounding has a deviation as well. Where a plane falls by about one step from pixel to
+/// pixel, all pixels of a cell are rounded alike, and the cell looks smooth.
+double least_noise_scale(const std::vector<Sight>& sights, const std::vector<Plane>& planes,
+                         const NoiseModel& noise) {
+  double step = 0, nearest = std::numeric_limits<double>::infinity();
+  for (const Sight& sight : sights) step = std::max(step, sight.step);
+  for (const Plane& plane : planes) {
+    for (const Cell& cell : plane.cells) nearest = std::min(nearest, cell.depth);
+  }
+  return std::max(1e-4, step / std::sqrt(12.0)) / noise(nearest);
 }
 
 /// The scene of views without trustworthy depths; otherwise its status is `found`.
@@ -84,7 +98,7 @@ class Builder {
     for (const Sight& sight : sights_) {
       sightings.push_back({&sight, heights_over(sight, plane, noise_, options_)});
     }
-    for (const Region& region : regions_of(plane, sightings, options_)) {
+    for (const Region& region : regions_of(plane, sightings, noise_, options_)) {
       Support support = support_of(plane, region, sightings);
       add_objects(region, support, sightings);
       for (geometry::Convex& shape : patches(region, options_)) {
@@ -266,8 +280,7 @@ Scene perceive(const std::vector<View>& views, const Options& options) {
   }
   std::vector<Plane> planes = find_planes(cells, options, false);
   if (planes.empty()) return without_support(cells, options);
-  // At least a tenth of a millimetre is noise: no camera resolves it.
-  noise.scale = std::max(planes.front().noise_scale, 1e-4 / noise(sights.front().median));
+  noise.scale = std::max(planes.front().noise_scale, least_noise_scale(sights, planes, noise));
   // From the highest to the lowest: what stands on a shelf is not an object of the board below.
   std::vector<Plane> ordered = planes;
   std::stable_sort(ordered.begin(), ordered.end(),

@@ -28,6 +28,32 @@ bool join_corners(Raster& mask) {
   return is_changed;
 }
 
+/// Number of steps to the nearest cell of a mask, for all cells: along sides, or diagonally, too.
+std::vector<int> steps_from(const Raster& mask, bool is_diagonal) {
+  constexpr int kFar = 1 << 20;
+  std::vector<int> steps(mask.values.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = mask.values[i] ? 0 : kFar;
+  const int nx = mask.nx, ny = mask.ny;
+  const auto pass = [&](int sign) {  // rows up or down, and cells in both directions of a row
+    for (int k = 0; k < ny; ++k) {
+      const int y = sign > 0 ? k : ny - 1 - k;
+      int* row = &steps[mask.index(0, y)];
+      const int* before = k > 0 ? row - sign * nx : nullptr;
+      for (int x = 0; before && x < nx; ++x) {
+        int least = before[x];
+        if (is_diagonal && x > 0) least = std::min(least, before[x - 1]);
+        if (is_diagonal && x + 1 < nx) least = std::min(least, before[x + 1]);
+        row[x] = std::min(row[x], least + 1);
+      }
+      for (int x = 1; x < nx; ++x) row[x] = std::min(row[x], row[x - 1] + 1);
+      for (int x = nx - 2; x >= 0; --x) row[x] = std::min(row[x], row[x + 1] + 1);
+    }
+  };
+  pass(1);
+  pass(-1);
+  return steps;
+}
+
 }  // namespace
 
 Raster cover(const Eigen::AlignedBox2d& box, double cell, int most) {
@@ -148,6 +174,19 @@ void vote(Raster& mask) {
       for (int k = -kHalf; k <= kHalf; ++k) sum += sums[mask.index(x, y + k)];
       mask.values[mask.index(x, y)] = sum >= kMajority;
     }
+  }
+}
+
+void clear_strips(Raster& mask, int half) {
+  constexpr int kMore = 2;  // cells, so that nothing is lost at corners
+  Raster rest = mask;
+  for (std::uint8_t& value : rest.values) value = !value;
+  const std::vector<int> inside = steps_from(rest, false);
+  Raster core = mask;
+  for (std::size_t i = 0; i < core.values.size(); ++i) core.values[i] = inside[i] > half;
+  const std::vector<int> outside = steps_from(core, true);
+  for (std::size_t i = 0; i < mask.values.size(); ++i) {
+    mask.values[i] = mask.values[i] && outside[i] <= half + kMore;
   }
 }
 

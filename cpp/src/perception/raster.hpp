@@ -54,6 +54,8 @@ void fill_holes(Raster& mask);
 void close_gaps(Raster& mask);
 /// Sets every cell to what most of the 5 x 5 cells around it are.
 void vote(Raster& mask);
+/// Clears strips of the mask that are at most about 2 `half` cells wide, but for stubs as long.
+void clear_strips(Raster& mask, int half);
 /// Keeps the largest piece alone, connected along sides, and fills cells until no two of its cells
 /// touch at a corner only.
 void keep_largest(Raster& mask);

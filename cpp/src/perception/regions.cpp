@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graspless/watch.hpp"
 
@@ -15,9 +16,12 @@ constexpr double kFinest = 0.0015;      // [m]
 constexpr double kSurroundings = 0.08;  // of the cells of the fit, that the raster covers too [m]
 constexpr int kMargin = 3;              // pixels along the image's border that are not trusted
 constexpr int kReach = 6;               // cells without a depth between an edge and what is beyond
-constexpr double kTolerance = 0.004;    // of the polygon [m]
+constexpr double kTolerance = 0.004;    // of the polygon, at least [m]
+constexpr double kMoved = 2;            // and in deviations of the depth
 constexpr double kLeastReal = 0.02;     // length of a real edge [m]
 constexpr double kLeastDepth = 0.05;    // to the camera [m]
+constexpr double kStrip = 0.025;        // widest strip where a wall crosses the plane, [m]
+constexpr double kStripNoise = 12;      // and in deviations of the depth
 
 /// z out of the plane, x to the right of the first camera that sees it.
 Eigen::Isometry3d frame_of(const Plane& plane, const std::vector<Sighting>& sightings) {
@@ -112,6 +116,17 @@ void fill_shadows(const Raster& ground, Raster& mask) {
   for (int x = 0; x < mask.nx; ++x) fill(mask.ny, [&](int y) { return mask.index(x, y); });
 }
 
+/// Deviation of the depths of a plane, where a camera is nearest to its middle.
+double noise_of(const Plane& plane, const std::vector<Sighting>& sightings,
+                const NoiseModel& noise) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Sighting& sighting : sightings) {
+    const double z = (sighting.sight->X_WC.inverse() * plane.center_W).z();
+    if (z > kLeastDepth) nearest = std::min(nearest, z);
+  }
+  return std::isfinite(nearest) ? noise(nearest) : 0;
+}
+
 EdgeLabel label_of(const Step& step, const Raster& ground) {
   // Filled cells were not seen: nobody knows whether the support ends there.
   const auto is_seen = [&](int k) {
@@ -139,10 +154,14 @@ EdgeLabel label_of(const Step& step, const Raster& ground) {
 }  // namespace
 
 std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& sightings,
-                               const Options& options) {
+                               const NoiseModel& noise, const Options& options) {
   const Eigen::Isometry3d X_WS = frame_of(plane, sightings);
   Raster ground = raster_of(plane, X_WS, sightings);
   for (const Sighting& sighting : sightings) look(sighting, X_WS, ground);
+  const double deviation = noise_of(plane, sightings, noise);
+  // Where the side below an edge is seen, pixels of it within the noise of the plane move the edge.
+  const double tolerance = std::max({kTolerance, 3 * ground.cell, kMoved * deviation});
+  const double strip = std::max(kStrip, kStripNoise * deviation);
   Raster seen = ground;
   for (auto& value : seen.values) value = value == static_cast<std::uint8_t>(Ground::seen);
   const Pieces pieces = pieces_of(seen, false);
@@ -156,11 +175,12 @@ std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& 
     }
     fill_shadows(ground, mask);
     keep_largest(mask);
+    clear_strips(mask, static_cast<int>(std::ceil(strip / 2 / ground.cell)));
+    keep_largest(mask);
     const auto boundary = boundary_of(mask);
     std::vector<EdgeLabel> labels;
     for (const Step& step : boundary) labels.push_back(label_of(step, ground));
-    auto outline =
-        fitted_polygon(mask, boundary, labels, std::max(kTolerance, 2 * ground.cell), kLeastReal);
+    auto outline = fitted_polygon(mask, boundary, labels, tolerance, kLeastReal);
     regions.push_back({X_WS, ground, std::move(mask), std::move(outline), area});
   }
   std::stable_sort(regions.begin(), regions.end(),

@@ -33,6 +33,6 @@ struct Region {
 /// Projects the cells of the plane into all views, and returns the pieces of at least the options'
 /// area, from the largest to the smallest.
 std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& sightings,
-                               const Options& options);
+                               const NoiseModel& noise, const Options& options);
 
 }  // namespace graspless::perception

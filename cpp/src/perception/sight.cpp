@@ -45,6 +45,34 @@ void measure(Sight& sight) {
   sight.median = *middle;
 }
 
+/// Step between the depths that an image can express; 0 if the depths are not multiples of one.
+/// Second differences along rows are multiples of it, too, and those of a plane are nearly 0.
+double step_of(const DepthImage& depth) {
+  constexpr double kLeast = 2e-5;            // [m]
+  constexpr double kSmallest = 0.05;         // quantile of the differences
+  constexpr double kOff = 0.1, kMost = 0.9;  // of multiples, and their share
+  constexpr Eigen::Index kEvery = 16;        // rows
+  std::vector<double> differences;
+  for (Eigen::Index v = 0; v < depth.rows(); v += kEvery) {
+    const float* z = depth.row(v).data();
+    for (Eigen::Index u = 1; u + 1 < depth.cols(); ++u) {
+      if (!(z[u - 1] > 0 && z[u] > 0 && z[u + 1] > 0)) continue;
+      const double bend = std::abs(static_cast<double>(z[u - 1]) - 2.0 * static_cast<double>(z[u]) +
+                                   static_cast<double>(z[u + 1]));
+      if (bend > kLeast) differences.push_back(bend);
+    }
+  }
+  if (differences.empty()) return 0;
+  const auto at = static_cast<std::ptrdiff_t>(kSmallest * static_cast<double>(differences.size()));
+  std::nth_element(differences.begin(), differences.begin() + at, differences.end());
+  const double step = differences[static_cast<std::size_t>(at)];
+  const auto multiples = std::count_if(differences.begin(), differences.end(), [&](double bend) {
+    return std::abs(bend / step - std::round(bend / step)) < kOff;
+  });
+  return static_cast<double>(multiples) > kMost * static_cast<double>(differences.size()) ? step
+                                                                                          : 0;
+}
+
 void remove_flying_pixels(Sight& sight, const NoiseModel& noise) {
   const DepthImage given = sight.depth;
   const auto constant = static_cast<float>(largest_step(sight, noise, 0));
@@ -127,6 +155,7 @@ Sight prepare(const View& view, const NoiseModel& noise, std::int64_t max_pixels
   sight.K.topRows<2>() /= sight.stride;
   sight.X_WC = view.X_WC;
   measure(sight);
+  sight.step = step_of(sight.depth);
   remove_flying_pixels(sight, noise);
   return sight;
 }

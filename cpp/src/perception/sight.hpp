@@ -27,6 +27,7 @@ struct Sight {
   int stride;     ///< of the pixels that were read
   double median;  ///< of all depths [m]; 0: there are none
   double share;   ///< of the pixels that have a depth
+  double step;    ///< between the depths that the camera can express [m]; 0: none is noticeable
 
   int width() const { return static_cast<int>(depth.cols()); }
   int height() const { return static_cast<int>(depth.rows()); }

@@ -32,12 +32,12 @@ double distance_to_table(const Support& support, const Eigen::Vector2d& p_S) {
   return std::abs(geometry::Polygon(corners).depth(p.head<2>()));
 }
 
-void expect_real_edges_are_true(const Support& support) {
+void expect_real_edges_are_true(const Support& support, double tolerance = 0.008) {
   for (int i = 0; i < support.polygon.size(); ++i) {
     if (support.edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
     const auto edge = support.polygon.edge(i);
     for (const double t : {0.1, 0.5, 0.9}) {
-      EXPECT_LT(distance_to_table(support, edge.a + t * (edge.b - edge.a)), 0.008);
+      EXPECT_LT(distance_to_table(support, edge.a + t * (edge.b - edge.a)), tolerance);
     }
   }
 }
@@ -76,6 +76,71 @@ TEST(Perceive, ThicknessIsWithinItsStandardErrors) {
     EXPECT_LT(plate.thickness_error, 0.0007);
   }
   EXPECT_LT(std::sqrt(squares), 2);
+}
+
+/// Rounds depths to steps [m].
+View rounded(View view, float step) {
+  view.depth = (view.depth / step).round() * step;
+  return view;
+}
+
+TEST(Perceive, StepsOfTheDepthsCountAsNoise) {
+  // Where the plane falls by about a step from pixel to pixel, cells look smooth.
+  const std::vector<Body> bodies{floor(), table(), on_table({0.1, 0.1, 0.02}, 0, 0)};
+  for (const double up : {0.5, 0.6, 0.65, 0.7, 0.8}) {
+    for (const float step : {0.001f, 0.002f}) {
+      const auto seen = [&](double side) {
+        return rounded(view_of(bodies, look_at({side * 0.7, 0.05, 0.4 + up}, {0, 0, 0.4}), 0),
+                       step);
+      };
+      for (const auto& views : {std::vector{seen(-1)}, std::vector{seen(-1), seen(1)}}) {
+        const Scene scene = perceive(views);
+        ASSERT_NE(table_in(scene), nullptr) << up << ' ' << step;
+        EXPECT_GT(table_in(scene)->noise, 0.25 * static_cast<double>(step));
+        ASSERT_EQ(scene.objects.size(), 1u) << up << ' ' << step;
+        EXPECT_NEAR(scene.objects[0].thickness, 0.02, 0.6 * static_cast<double>(step));
+        EXPECT_NEAR(scene.objects[0].outline.area(), 0.01, 0.0015);
+      }
+    }
+  }
+  // Depths that are no multiples of a step have none.
+  const Scene fine = perceive({view_of(bodies, eye(), 0.01)});
+  ASSERT_NE(table_in(fine), nullptr);
+  EXPECT_LT(table_in(fine)->noise, 1.5e-4);
+}
+
+TEST(Perceive, CornersOfATableAreWhereItsEdgesMeet) {
+  Body turned = table();
+  turned.X_WB.linear() = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  std::vector<double> errors;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Scene scene =
+        perceive({view_of({floor(), turned}, look_at({-0.8, 0.2, 1.3}, {0, 0, 0.4}), 1, seed)});
+    const Support* support = table_in(scene);
+    ASSERT_NE(support, nullptr);
+    EXPECT_LE(support->polygon.size(), 8);  // 13 on average with a tolerance that ignores the noise
+    for (const auto& [x, y] : {std::pair{0.35, 0.3}, {-0.35, 0.3}, {-0.35, -0.3}, {0.35, -0.3}}) {
+      const Eigen::Vector3d corner = turned.X_WB * Eigen::Vector3d(x, y, 0.02);
+      const Eigen::Vector2d at = (support->X_WS.inverse() * corner).head<2>();
+      errors.push_back((support->polygon.vertices().colwise() - at).colwise().norm().minCoeff());
+    }
+  }
+  std::sort(errors.begin(), errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 0.003);
+  EXPECT_LT(errors.back(), 0.007);
+}
+
+TEST(Perceive, AWallBehindATableIsNoPartOfIt) {
+  // Where it crosses the height of the table, it is as high as the table.
+  const Body wall = box_at({0.02, 2, 1.6}, {0.36, 0, 0.6});
+  const Scene scene = perceive({view_of({floor(), table(), wall}, eye())});
+  const Support* support = table_in(scene);
+  ASSERT_NE(support, nullptr);
+  EXPECT_NEAR(support->polygon.area(), 0.7 * 0.6, 0.02);
+  auto lengths = lengths_of(*support);
+  EXPECT_NEAR(lengths[EdgeLabel::real], 2, 0.1);
+  EXPECT_NEAR(lengths[EdgeLabel::occluded], 0.6, 0.1);
+  expect_real_edges_are_true(*support, 0.015);
 }
 
 TEST(Perceive, MovesWithTheWorld) {

@@ -124,5 +124,29 @@ TEST(Raster, FittedEdgesOfATurnedSquareAreStraightAndKeepTheirLabels) {
   EXPECT_NEAR(fitted.polygon.area(), 1, 0.01);
 }
 
+TEST(Raster, StripsAreClearedAndCornersKept) {
+  for (const double angle : {0.0, 0.3, M_PI / 4}) {
+    Raster square({0, 0}, 1, 120, 120);
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 120; ++x) {
+        const Eigen::Vector2d p =
+            Eigen::Rotation2Dd(angle) * (square.center(x, y) - Eigen::Vector2d(60, 60));
+        square.values[square.index(x, y)] = p.cwiseAbs().maxCoeff() < 30;
+      }
+    }
+    Raster opened = square;
+    clear_strips(opened, 5);
+    EXPECT_EQ(opened.values, square.values);
+    Raster with_strip = square;  // eight cells wide, from the square to the border
+    for (int y = 56; y < 64; ++y) {
+      for (int x = 60; x < 120; ++x) with_strip.values[with_strip.index(x, y)] = 1;
+    }
+    clear_strips(with_strip, 5);
+    for (int x = 112; x < 120; ++x) EXPECT_EQ(with_strip.at(x, 60), 0);
+    EXPECT_LE(count(with_strip), count(square) + 8 * 10);
+    EXPECT_GE(count(with_strip), count(square));
+  }
+}
+
 }  // namespace
 }  // namespace graspless::perception
