@@ -4,21 +4,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._core.perception import Options, Scene, View
 from .._core.perception import perceive as perceive_views
+from .readers import is_foreign, matrix_of, view_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
 def perceive(
-    depth: ArrayLike,
-    K: ArrayLike,
-    X_WC: ArrayLike,
+    depth: Any,
+    K: Any = None,
+    X_WC: ArrayLike | None = None,
     options: Options | None = None,
     *,
     stamp: float | None = None,
@@ -29,10 +30,13 @@ def perceive(
 
     Parameters
     ----------
-    depth : array [H, W] or [N, H, W]
+    depth : array [H, W] or [N, H, W], or one or several objects of another library
         Depths along the optical axis [m], of one view or of N. 0 or not finite: no measurement.
-    K : array [3, 3] or [N, 3, 3]
-        Camera matrix [pixels], without skew; one for all views or one for each.
+        Or an RGBDImage or PointCloud of open3d, a frame or frameset of pyrealsense2, a sensor_msgs
+        PointCloud2, or a list of them. Points are in the optical frame.
+    K : array [3, 3] or [N, 3, 3], optional
+        Camera matrix [pixels], without skew; one for all views or one for each. Or the
+        PinholeCameraIntrinsic of open3d. Clouds and frames of pyrealsense2 do without.
     X_WC : array [4, 4] or [N, 4, 4]
         Pose of the optical frame C in the world for each view: x right, y down, z forward. The
         world's z points up.
@@ -54,24 +58,41 @@ def perceive(
         An array has the wrong shape, K is not that of a pinhole camera of this size, a pose is not
         rigid, or an option is out of its range. Names the argument.
     """
+    if X_WC is None:
+        raise ValueError("X_WC must be given: the pose of the camera's optical frame in the world")
+    K = matrix_of(K)
+    several = isinstance(depth, list | tuple) and any(map(is_foreign, depth))
+    if several or is_foreign(depth):
+        views = _foreign(list(depth) if several else [depth], K, X_WC)
+    else:
+        views = _arrays(depth, K, X_WC)
+    scene = perceive_views(views, Options() if options is None else options)
+    scene.stamp = stamp
+    return scene
+
+
+def _arrays(depth: ArrayLike, K: Any, X_WC: ArrayLike) -> list[View]:
     images = np.asarray(depth)
     if images.dtype.kind not in "fiu":
         raise ValueError(f"depth has values of type {images.dtype}; it must have numbers in metres")
     if images.ndim not in (2, 3):
         raise ValueError(f"depth has shape {images.shape}; it must have shape (H, W) or (N, H, W)")
+    if K is None:
+        raise ValueError("K must be given with a depth image: the camera matrix [pixels]")
     count = 1 if images.ndim == 2 else len(images)
-    views = [
-        View(image, matrix, pose)
-        for image, matrix, pose in zip(
-            images.reshape(count, *images.shape[-2:]),
-            _each("K", K, 3, count),
-            _each("X_WC", X_WC, 4, count, is_shared=count == 1),
-            strict=True,
-        )
-    ]
-    scene = perceive_views(views, Options() if options is None else options)
-    scene.stamp = stamp
-    return scene
+    each = images.reshape(count, *images.shape[-2:])
+    poses = _each("X_WC", X_WC, 4, count, is_shared=count == 1)
+    return [View(*of) for of in zip(each, _each("K", K, 3, count), poses, strict=True)]
+
+
+def _foreign(sources: list[Any], K: Any, X_WC: ArrayLike) -> list[View]:
+    count = len(sources)
+    matrices = [None] * count if K is None else _each("K", K, 3, count)
+    poses = _each("X_WC", X_WC, 4, count, is_shared=count == 1)
+    for i, source in enumerate(sources):
+        if not is_foreign(source):
+            raise ValueError(f"depth[{i}] is of type {type(source).__name__}, unlike the others")
+    return [view_of(*of) for of in zip(sources, matrices, poses, strict=True)]
 
 
 def _each(

@@ -12,6 +12,7 @@ from geometry_msgs.msg import Point, Pose, PoseArray, Quaternion
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from .. import frames
+from ..perception.readers import points_of_message
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 _UNIT = 0.05  # largest difference between the norm of a quaternion and 1
-_CLOUD_TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 
 
 class RefusedError(Exception):
@@ -135,24 +135,7 @@ def camera_matrix_of(info: Any, image: Any) -> Matrix:
 
 def points_of(cloud: Any) -> Matrix:
     """Returns the points [H, W, 3] of a PointCloud2 in its own frame [m]."""
-    fields = {field.name: field for field in cloud.fields}
-    missing = [axis for axis in "xyz" if axis not in fields]
-    if missing:
-        raise RefusedError(f"the point cloud has no field {', '.join(missing)}")
-    if any(fields[axis].datatype not in _CLOUD_TYPES for axis in "xyz"):
-        raise RefusedError("the point cloud has coordinates of an unknown type")
-    order = ">" if cloud.is_bigendian else "<"
-    formats = [order + _CLOUD_TYPES[fields[axis].datatype] for axis in "xyz"]
-    offsets = [int(fields[axis].offset) for axis in "xyz"]
-    ends = [offset + np.dtype(form).itemsize for offset, form in zip(offsets, formats, strict=True)]
-    width, height = int(cloud.width), int(cloud.height)
-    size, step = int(cloud.row_step) * height, int(cloud.point_step)
-    if step < max(ends) or cloud.row_step < width * step or len(cloud.data) < size or not size:
-        raise RefusedError(
-            f"the point cloud has {len(cloud.data)} bytes, not {height} rows of {width}"
-        )
-    axes: Any = {"names": list("xyz"), "formats": formats, "offsets": offsets}
-    kind = np.dtype(axes | {"itemsize": step})
-    rows = np.frombuffer(cloud.data, np.uint8, size).reshape(height, int(cloud.row_step))
-    found = np.ascontiguousarray(rows[:, : width * step]).view(kind)
-    return np.stack([np.asarray(found[axis], dtype=float) for axis in "xyz"], axis=-1)
+    try:
+        return points_of_message(cloud)
+    except ValueError as error:
+        raise RefusedError(str(error)) from None
