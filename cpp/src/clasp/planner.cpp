@@ -116,6 +116,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
+  if (!searches.empty()) problem.object.outer_clearance();  // now: a failed search has no time left
   clock.run([&] {
     for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
       LoopSearch& search = *searches[turn % searches.size()];

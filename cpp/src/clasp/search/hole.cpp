@@ -28,11 +28,17 @@ struct Part {
 
 std::string millimetres(double length) { return std::to_string(std::lround(1000 * length)); }
 
-}  // namespace
+/// Bounds on the radius of the largest ball that fits [m].
+struct Radius {
+  double least = 0, most = 0;
+};
 
-double hole_width(const Object& object, int loop, double enough) {
+/// Narrows the bounds until they are close, the ball is as wide as `enough`, or `goes_on`, which is
+/// called before each step, returns false.
+template <class GoesOn>
+Radius largest_ball(const Object& object, int loop, double enough, const GoesOn& goes_on) {
   const collision::Clearance& clearance = object.outer_clearance();
-  double widest = 0;  // radius of a ball that fits [m]
+  double widest = 0;  // that fits [m]
   std::priority_queue<Part> parts;
   const auto add = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Vector3d middle = (a + b + c) / 3;
@@ -44,8 +50,7 @@ double hole_width(const Object& object, int loop, double enough) {
   const Eigen::Matrix3Xd& p = object.loops().found[static_cast<std::size_t>(loop)].points;
   const Vector3d apex = p.rowwise().mean();
   for (Eigen::Index i = 0; i < p.cols(); ++i) add(apex, p.col(i), p.col((i + 1) % p.cols()));
-  while (parts.top().most > widest + kPrecision && 2 * widest < enough) {
-    poll();
+  while (parts.top().most > widest + kPrecision && 2 * widest < enough && goes_on()) {
     const auto [a, b, c] = parts.top().corners;
     parts.pop();
     const double ab = (a - b).norm(), bc = (b - c).norm(), ca = (c - a).norm();
@@ -60,7 +65,29 @@ double hole_width(const Object& object, int loop, double enough) {
       add((c + a) / 2, b, c);
     }
   }
-  return 2 * (2 * widest < enough ? parts.top().most : widest);
+  return {widest, parts.top().most};
+}
+
+/// Width of a hole in words, from a few thousand steps: it is told even if the time is over.
+std::string width_in_words(const Object& object, int loop) {
+  constexpr double kWide = 0.1;  // holes wider than this do not stop a finger [m]
+  constexpr int kSteps = 3000;
+  int left = kSteps;
+  const Radius radius = largest_ball(object, loop, kWide, [&] { return left-- > 0; });
+  if (2 * radius.least >= kWide) return "at least 100 mm wide";
+  const std::string least = millimetres(2 * radius.least), most = millimetres(2 * radius.most);
+  const bool is_close = radius.most - radius.least <= kPrecision;
+  return (is_close ? most : least + " to " + most) + " mm wide";
+}
+
+}  // namespace
+
+double hole_width(const Object& object, int loop, double enough) {
+  const Radius radius = largest_ball(object, loop, enough, [] {
+    poll();
+    return true;
+  });
+  return 2 * (2 * radius.least < enough ? radius.most : radius.least);
 }
 
 double needed_width(const robot::Robot& robot, const Hand& hand) {
@@ -70,12 +97,10 @@ double needed_width(const robot::Robot& robot, const Hand& hand) {
 }
 
 std::string describe_sizes(const Problem& problem, int loop) {
-  constexpr double kWide = 0.1;  // holes wider than this do not stop a finger [m]
   const double needed = needed_width(problem.robot, problem.hand);
-  const double width = hole_width(problem.object, loop, kWide);
   const double handle = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
   std::string text = "loop " + std::to_string(loop) + ": its hole is ";
-  text += width < kWide ? millimetres(width) + " mm wide" : "at least 100 mm wide";
+  text += width_in_words(problem.object, loop);
   if (handle > 0) text += ", its handle " + millimetres(handle) + " mm thick";
   if (needed > 0) text += ", a finger " + millimetres(needed) + " mm";
   return text;

@@ -63,6 +63,10 @@ TEST(HoleTooNarrow, NamesBothWidthsWhereNoFingerPasses) {
   ASSERT_EQ(failed.status, Status::not_found) << failed.reason;
   EXPECT_NE(failed.reason.find("its hole is 32 mm wide, its handle "), std::string::npos)
       << failed.reason;
+  // Sizes are told, too, if the time ends the search.
+  const Plan late = plan(problem, {}, planning::Budget{1, 1000000, 1, {}});
+  ASSERT_EQ(late.status, Status::not_found) << late.reason;
+  EXPECT_NE(late.reason.find("its hole is 32 mm wide"), std::string::npos) << late.reason;
 }
 
 }  // namespace
