@@ -45,3 +45,50 @@ def test_bad_arguments_are_refused(folder, capsys):
     (folder / "empty").mkdir()
     assert "has no meshes" in refused(folder / "empty")
     assert "--mesh: mug: no such mesh (one of: carton)" in refused(folder, "--mesh", "mug")
+    assert "roll of tape, box, ball" in refused("--mesh", "mut")
+    assert "its own objects only" in refused(folder, "--grid", "holes")
+    assert "(one of: mug, pitcher, cup," in refused("--grid", "holes", "--mesh", "fork")
+
+
+def test_objects_made_of_parts_need_no_folder(capsys, tmp_path):
+    out = str(tmp_path / "out")
+    assert main(["bench", "see", "--poses", "1", "--mesh", "box", "--out", out, "--json"]) == 0
+    result = json.loads(capsys.readouterr().out)
+    (row,) = result["meshes"]
+    assert row["thickness"] == pytest.approx(0.06, abs=1e-6)  # it lies on its largest side
+    assert result["all"]["found"] == 1
+    assert "held out" in (tmp_path / "out" / "see.md").read_text()
+    assert "Scans of" not in (tmp_path / "out" / "see.md").read_text()
+
+
+def test_holes_are_judged_by_the_true_mesh(monkeypatch, capsys, tmp_path):
+    from graspless_bench.see import holes
+
+    monkeypatch.setattr(holes, "SIDES", 2)
+    monkeypatch.setattr(holes, "NOISES", (0.0, 1.0))
+    out = tmp_path / "out"
+    names = ["--mesh", "scissors", "--mesh", "bowl"]
+    assert main(["bench", "see", "--grid", "holes", *names, "--out", str(out), "--json"]) == 0
+    result = json.loads(capsys.readouterr().out)
+    assert result["scenes"] == 2 * 2 * 2 * 2
+    for row in result["objects"]:
+        assert row["wrong"] == 0
+        assert row["right"] == row["scenes"] == 4
+    assert "| bowl |" in (out / "see.md").read_text()
+
+
+def test_openings_are_those_that_lines_pass():
+    from graspless import geometry
+    from graspless_bench.see.truth import Openings
+
+    ring = trimesh.creation.annulus(0.04, 0.06, 0.02)
+    openings = Openings(geometry.Mesh(ring.vertices, ring.faces.astype(np.int32)))
+    angles = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    around = np.column_stack([0.05 * np.cos(angles), 0.05 * np.sin(angles), 0 * angles])
+    assert openings.has(around)  # along the ring
+    across = np.column_stack([0.05 + 0.012 * np.cos(angles), 0 * angles, 0.012 * np.sin(angles)])
+    assert not openings.has(across)  # around its material
+    assert not openings.has(0.2 * around + [0.05, 0, 0.01])  # on its side
+    ball = trimesh.creation.icosphere(2, 0.05)
+    solid = Openings(geometry.Mesh(ball.vertices, ball.faces.astype(np.int32)))
+    assert not solid.has(around)

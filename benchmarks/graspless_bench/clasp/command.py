@@ -16,7 +16,7 @@ from ..arguments import check_writable, positive, say_partial
 if TYPE_CHECKING:
     import argparse
 
-GRIDS = ("paper", "chair", "tolerance", "grasp_rrt", "loops", "holes")
+GRIDS = ("paper", "chair", "tolerance", "small", "grasp_rrt", "loops", "holes")
 
 
 def add_parser(experiments: Any) -> None:

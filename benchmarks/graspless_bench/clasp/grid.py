@@ -20,6 +20,8 @@ from graspless import clasp, geometry
 from graspless.planning import Budget
 from graspless.robot import Robot, builtin
 
+from .shapes import with_holes
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -42,6 +44,25 @@ START = np.radians([0.0, -109.0, 109.0, 0.0, 80.0, 0.0])
 # Section V-B: the hand hangs over the seat; the loop is the one under the seat's front edge.
 OBSTRUCTED_POSE = (0.70, 0.0, FLOOR, 180.0)
 OVER_THE_SEAT = np.radians([0.0, -66.0, 103.0, 0.0, 53.0, 0.0])
+# Objects of households at their true size, whose holes are small for a hand.
+SMALL = (
+    "mug",
+    "mug x1.6",
+    "pitcher",
+    "teapot",
+    "kettle",
+    "bucket",
+    "pan with an eye",
+    "scissors",
+    "eyeglasses",
+    "bag of two handles",
+    "handlebar",
+    "thick ring",
+    "roll of tape",
+    "spade",
+    "crate",
+    "basket of 2 with handle",
+)
 # Section V-C.
 TOLERANCES = (0.5, 0.65, 0.70, 0.75)
 
@@ -105,9 +126,14 @@ def robot_with_hand(name: str) -> tuple[Robot, clasp.Hand]:
 
 @functools.cache
 def sample(name: str) -> clasp.Object:
-    """Returns a sample object, given by its cloud."""
-    cloud = geometry.sample_surface(clasp.sample_object(name), POINTS)
-    return clasp.Object.from_cloud(name, cloud)
+    """Returns a sample object, or one of shapes.py, given by its cloud."""
+    if name not in SMALL:
+        cloud = geometry.sample_surface(clasp.sample_object(name), POINTS)
+        return clasp.Object.from_cloud(name, cloud)
+    shape = next(shape for shape in with_holes() if shape.name == name)
+    cloud = geometry.sample_surface(shape.parts, POINTS)
+    middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
+    return clasp.Object.from_cloud(name, cloud - [*middle[:2], cloud[:, 2].min()])
 
 
 def placed(place: tuple[float, float, float, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
@@ -156,5 +182,13 @@ def tolerance(seeds: int, start: int = 1) -> Iterator[Trial]:
                     yield Trial(hand, "purse", place, pose, seed, options=options)
 
 
-GRIDS = {"paper": paper, "chair": chair, "tolerance": tolerance}
+def small(seeds: int, start: int = 1) -> Iterator[Trial]:
+    """Returns trials of one hand with objects of households on a table."""
+    for seed in range(start, start + seeds):
+        for name in SMALL:
+            for pose, place in enumerate(POSES["purse"], 1):
+                yield Trial("kr5_sdh", name, place, pose, seed)
+
+
+GRIDS = {"paper": paper, "chair": chair, "tolerance": tolerance, "small": small}
 """What makes the trials of a grid that asks clasp.plan()."""

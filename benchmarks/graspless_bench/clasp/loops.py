@@ -42,12 +42,15 @@ class Cloud:
         Change of the whole cloud.
     options : dict
         Fields of geometry.LoopOptions.
+    views : int
+        Number of the viewpoints whose rays are given; 0: none are.
     """
 
     kind: str
     points: int
     change: Callable[[Points], Points]
     options: dict[str, Any] = dataclasses.field(default_factory=dict)
+    views: int = 0
 
 
 def noisy(points: Points, spacings: float = 0.5) -> Points:
@@ -76,8 +79,8 @@ CLOUDS = (
     Cloud("clean", POINTS, lambda p: p),
     Cloud("noise, half the spacing", POINTS, noisy),
     Cloud("missing patches", POINTS, patchy),
-    Cloud("one view", POINTS, lambda p: seen(p, 1)),
-    Cloud("two views", POINTS, lambda p: seen(p, 2)),
+    Cloud("one view", POINTS, lambda p: seen(p, 1), views=1),
+    Cloud("two views", POINTS, lambda p: seen(p, 2), views=2),
     Cloud("10,000 points, exact", 10_000, lambda p: p, {"max_points": 20_000}),
     Cloud("100,000 points, thinned", 100_000, lambda p: p),
     Cloud("100,000 points, polished", 100_000, lambda p: p, {"polish": True}),
@@ -100,7 +103,9 @@ def _measure(name: str, cloud: Cloud, points: Points) -> Row:
     load, times = os.getloadavg()[0], list[float]()
     while len(times) < RUNS and sum(times) < 1:
         start = time.perf_counter()
-        found = geometry.shortest_loops(points, options)
+        eyes = np.reshape(VIEWPOINTS[: cloud.views], (-1, 3))
+        rays = geometry.rays_from_viewpoints(points, eyes)
+        found = geometry.shortest_loops(points, options, rays)
         times.append(time.perf_counter() - start)
     return {
         "object": name,

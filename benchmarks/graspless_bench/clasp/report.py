@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .run import Run
 
-GRID_NAMES = ("paper", "chair", "tolerance", "grasp_rrt", "loops", "holes")
+GRID_NAMES = ("paper", "chair", "tolerance", "small", "grasp_rrt", "loops", "holes")
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING
 
-from . import holes, loops, measure, peers
+from . import holes, loops, measure, peers, small
 from .grid import GRIDS
 
 if TYPE_CHECKING:
@@ -32,6 +32,8 @@ class Run:
             return holes.totals(self.rows)
         if self.grid == "grasp_rrt":
             return peers.totals(self.rows)
+        if self.grid == "small":
+            return small.totals(self.rows)
         return measure.totals(self.rows)
 
     @property
@@ -61,7 +63,7 @@ def run(
     Parameters
     ----------
     grid : str
-        paper, chair, tolerance, grasp_rrt, loops or holes.
+        paper, chair, tolerance, small, grasp_rrt, loops or holes.
     seeds : int
         Number of runs of each task.
     seed : int

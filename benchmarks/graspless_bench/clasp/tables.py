@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..tables import markdown, milliseconds
-from . import holes
+from . import holes, small
 
 if TYPE_CHECKING:
     from ..machine import Row
@@ -30,6 +30,8 @@ def of(result: Row) -> tuple[list[Row], list[Column]]:
         return [_name(row, "object", "cloud") for row in result["rows"]], LOOPS
     if result["grid"] == "holes":
         return holes.by_object(result["rows"]), HOLES
+    if result["grid"] == "small":
+        return small.by_object(result["rows"]), SMALL
     if result["grid"] == "grasp_rrt":
         return [_name(row, "planner", "hand", "pose", "seed") for row in result["rows"]], GRASPS
     rows = [_name(row, "hand", "object", "pose", "seed") for row in result["rows"]]
@@ -45,6 +47,9 @@ def fields(result: Row) -> dict[str, str]:
     if result["grid"] == "holes":
         named = [{"name": kind, **row} for kind, row in totals.items()]
         return {"totals": markdown(named, HOLES[1:], ""), "table": markdown(*of(result))}
+    if result["grid"] == "small":
+        said = {key: str(value) for key, value in totals.items()}
+        return {**said, "table": markdown(*of(result), "object")}
     if result["grid"] == "grasp_rrt":
         named = [{"name": planner, **row} for planner, row in totals.items()]
         return {"totals": markdown(named, PLANNERS, "planner")}
@@ -163,6 +168,13 @@ HOLES: list[Column] = [
     ("GUDHI right", lambda r: str(r.get("gudhi_right", "–"))),
     ("ms", lambda r: milliseconds(1000 * r["seconds"])),
     ("GUDHI [ms]", lambda r: milliseconds(1000 * s) if (s := r.get("gudhi_seconds")) else "–"),
+]
+SMALL: list[Column] = [
+    ("queries", lambda r: str(r["queries"])),
+    ("solved", lambda r: str(r["solved"])),
+    ("refused with sizes", lambda r: str(r["refused_with_sizes"])),
+    ("refused without", lambda r: str(r["refused_without"])),
+    ("its hole is", lambda r: r["sizes"] or "–"),
 ]
 KINDS: list[Column] = [
     ("objects right", lambda r: f"{r['right']}/{r['objects']}"),

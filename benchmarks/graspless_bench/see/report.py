@@ -13,6 +13,7 @@ import numpy as np
 from .. import machine, memory
 from ..pages import circumstances, template
 from ..tables import aligned, markdown
+from . import holes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -22,10 +23,25 @@ if TYPE_CHECKING:
     from ..tables import Column
 
 VISIBLE = 3  # times the noise: what is thicker must be found
+FILES = ("see", "see_own", "see_holes")  # of results, in the order of the page
 
 
-def as_result(rows: list[Row], load: Sequence[float]) -> Row:
-    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
+def of_holes(rows: list[Row], load: Sequence[float]) -> Row:
+    """Returns all of a run of the grid holes. `load`: load averages before it."""
+    return {"bench": "see", "file": FILES[2], **holes.tables(rows), **_circumstances(rows, load)}
+
+
+def _circumstances(rows: list[Row], load: Sequence[float]) -> Row:
+    return {
+        "scenes": len(rows),
+        "complaints": [],
+        "machine": machine.machine(load, memory.resident_bytes()),
+        "versions": machine.versions(),
+    }
+
+
+def of_outlines(rows: list[Row], load: Sequence[float], is_own: bool) -> Row:
+    """Returns all of a run of the grid outlines. `load`: load averages before it."""
     noises = sorted({row["noise"] for row in rows})
     groups = [
         _summary([r for r in rows if r["noise"] == noise and r["views"] == views], noise, views)
@@ -36,13 +52,11 @@ def as_result(rows: list[Row], load: Sequence[float]) -> Row:
     ordinary = [row for row in rows if row["noise"] == 1]
     return {
         "bench": "see",
+        "file": FILES[int(is_own)],
         "groups": groups,
         "all": _summary(rows, "all", "all"),
         "meshes": [_mesh([row for row in ordinary if row["mesh"] == name], name) for name in names],
-        "scenes": len(rows),
-        "complaints": [],
-        "machine": machine.machine(load, memory.resident_bytes()),
-        "versions": machine.versions(),
+        **_circumstances(rows, load),
     }
 
 
@@ -124,28 +138,52 @@ MESHES: list[Column] = [
 ]
 
 
-def as_text(result: Row) -> str:
-    """Returns the tables for the terminal."""
+HOLES: list[Column] = [
+    ("views", lambda row: str(row["views"])),
+    ("holes", lambda row: str(row["holes"])),
+    ("scenes", lambda row: str(row["scenes"])),
+    ("right", lambda row: str(row["right"])),
+    ("uncertain", lambda row: str(row["uncertain"])),
+    ("wrong", lambda row: str(row["wrong"])),
+    ("time [ms]", _number("seconds", 1000, 0)),
+]
+NOISES = [column for column in HOLES if column[0] != "holes"]
+
+
+def _tables(result: Row) -> dict[str, tuple[str, list[Row], list[Column]]]:
+    """Returns the tables of a result: title, rows and columns by name."""
+    if "objects" in result:
+        return {
+            "objects": ("object", result["objects"], HOLES),
+            "noises": ("noise", result["noises"], NOISES),
+        }
     groups = [{"name": "", **row} for row in (*result["groups"], result["all"])]
     meshes = [{"name": row["mesh"], **row} for row in result["meshes"]]
-    return f"{aligned('', groups, COLUMNS)}\n\n{aligned('mesh', meshes, MESHES)}"
+    return {"groups": ("", groups, COLUMNS), "each": ("mesh", meshes, MESHES)}
+
+
+def as_text(result: Row) -> str:
+    """Returns the tables for the terminal."""
+    return "\n\n".join(aligned(*table) for table in _tables(result).values())
 
 
 def write(result: Row, directory: Path) -> None:
-    """Writes see.json and see.md into a folder, which is made if it is missing."""
+    """Writes the result as JSON, and see.md from all results there, into a folder."""
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "see.json").write_text(json.dumps(result, indent=1) + "\n")
-    groups = [{"name": "", **row} for row in (*result["groups"], result["all"])]
-    meshes = [{"name": row["mesh"], **row} for row in result["meshes"]]
-    facts = {
-        "scenes": result["scenes"],
-        "meshes": len(meshes),
-        "groups": markdown(groups, COLUMNS, ""),
-        "each": markdown(meshes, MESHES, "mesh"),
-    }
-    facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
-    page = string.Template(template("see")["head"]).substitute(facts)
-    (directory / "see.md").write_text(page)
+    (directory / f"{result['file']}.json").write_text(json.dumps(result, indent=1) + "\n")
+    paths = {name: directory / f"{name}.json" for name in FILES}
+    results = {name: json.loads(p.read_text()) for name, p in paths.items() if p.exists()}
+    page = template("see")
+    text = page["head"]
+    for name, found in results.items():
+        facts = {
+            key: markdown(rows, columns, title)
+            for key, (title, rows, columns) in _tables(found).items()
+        }
+        facts |= {"scenes": str(found["scenes"]), "meshes": str(len(found.get("meshes", ())))}
+        text += "\n" + string.Template(page[name]).substitute(facts)
+    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
+    (directory / "see.md").write_text(text + "\n" + end)
 
 
-__all__ = ["as_result", "as_text", "write"]
+__all__ = ["as_text", "of_holes", "of_outlines", "write"]

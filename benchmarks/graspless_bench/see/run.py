@@ -16,11 +16,11 @@ from . import scenes
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from pathlib import Path
 
+    from graspless import geometry
     from graspless.frames import Matrix
 
-Row = dict[str, Any]
+    from ..machine import Row
 
 NEAR = 0.015  # distance from a true edge within which an edge is right [m]
 STEP = 0.005  # between samples along edges [m]
@@ -28,17 +28,20 @@ NOISES = (0.5, 1.0, 2.0)  # times that of the default camera
 
 
 def run(
-    paths: list[Path], poses: int, seed: int, tell: Callable[[int], object] = lambda done: None
+    meshes: dict[str, geometry.Mesh],
+    poses: int,
+    seed: int,
+    tell: Callable[[int], object] = lambda done: None,
 ) -> list[Row]:
     """Returns one row per mesh, pose, noise and choice of views."""
     rows: list[Row] = []
-    for i, path in enumerate(paths):
-        mesh = scenes.lying(path)
+    for i, (name, read) in enumerate(meshes.items()):
+        mesh = scenes.lying(read)
         for pose in range(poses):
             rng = np.random.default_rng([seed, i, pose])
             shot = scenes.shot(mesh, rng)
             for noise in NOISES:
-                rows += _rows(shot, noise, path.stem, pose)
+                rows += _rows(shot, noise, name, pose)
         tell(i + 1)
     return rows
 

@@ -40,13 +40,12 @@ def meshes(folder: Path) -> list[Path]:
     return sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES)
 
 
-def lying(path: Path) -> geometry.Mesh:
+def lying(read: geometry.Mesh) -> geometry.Mesh:
     """Returns a mesh that lies on the plane z = 0 with the side on which it rests best: the faces
     of its hull that have one direction, within 3 degrees, and the largest area.
     """
     import trimesh
 
-    read = geometry.read_mesh(str(path))
     hull = trimesh.Trimesh(read.vertices, read.triangles).convex_hull
     normals, areas = np.asarray(hull.face_normals), np.asarray(hull.area_faces)
     is_alike = normals @ normals.T > math.cos(math.radians(3))
