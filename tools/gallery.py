@@ -179,10 +179,16 @@ def write_page() -> None:
     (DOCS / "gallery.md").write_text(HEAD + "".join(entry(name) for name in names()))
 
 
-PICTURES = {"18_shortest_loops": _scripted, "22_many_tasks": _many, "27_set_the_table": _scripted}
+PICTURES = {
+    "18_shortest_loops": _scripted,
+    "22_many_tasks": _many,
+    "27_set_the_table": _scripted,
+    "28_see_table": _scripted,
+}
 SCRIPTS = {
     "18_shortest_loops": "python examples/18_shortest_loops.py loops.png",
     "27_set_the_table": "python examples/27_set_the_table.py table.png",
+    "28_see_table": "python examples/28_see_table.py scene.png",
     "22_many_tasks": (
         "python examples/22_many_tasks.py tasks 8\ngraspless batch tasks -o plans --jobs 2"
     ),
