@@ -464,6 +464,42 @@ void bind_ray_image(py::module_& m) {
       });
 }
 
+void bind_rays_from_viewpoints(py::module_& m) {
+  m.def(
+      "rays_from_viewpoints",
+      [](const Array& points, const Array& viewpoints) {
+        const Eigen::Matrix3Xd p = to_points3(points, "points");
+        const Eigen::Matrix3Xd eyes = to_points3(viewpoints, "viewpoints");
+        const py::gil_scoped_release release;
+        return rays_from_viewpoints(p, eyes);
+      },
+      py::arg("points"), py::arg("viewpoints"),
+      R"(Makes rays of cameras of which only the positions are known.
+
+A ray ends on the object if a point is within two spacings of it in the image, and passes it
+otherwise. The cloud must have all that the cameras saw of the object, and nothing else. Depth
+images are better: a patch that a camera did not see, such as dark material, looks open here.
+
+Parameters
+----------
+points : (N, 3) array
+    Points of the object [m], in any frame.
+viewpoints : (K, 3) array
+    Positions of the cameras in the same frame [m].
+
+Returns
+-------
+list of RayImage
+    One for each viewpoint, for `shortest_loops`.
+
+Raises
+------
+ValueError
+    If there are fewer than 20 points, one is not finite, or a viewpoint is among the points: they
+    must lie within 60 degrees of the direction to their middle.
+)");
+}
+
 void bind_loops(py::module_& m) {
   py::class_<Loop>(m, "Loop",
                    "A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).")
@@ -515,6 +551,7 @@ void bind_loops(py::module_& m) {
       });
 
   bind_ray_image(m);
+  bind_rays_from_viewpoints(m);
   py::class_<LoopOptions> options(m, "LoopOptions", "Options of shortest_loops().");
   bind_fields(
       options, "Any field by keyword; the others keep their defaults.",
@@ -612,7 +649,7 @@ min_ratio, max_points, polish, drop_meridians : optional
 rays : list of RayImage, optional
     Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
     Without them the distances between the points decide, which is right for points from all
-    sides only.
+    sides only: no loop is found if one camera could have seen nearly all points.
 
 Returns
 -------

@@ -7,9 +7,11 @@ import sys
 from graspless import clasp, geometry, view
 
 cloud = geometry.sample_surface(clasp.sample_object("chair"), 2000)
-seen = cloud[geometry.visible_points(cloud, [2.0, -1.5, 1.5])]
-for name, points in (("whole chair", cloud), ("one view", seen)):
-    found = geometry.shortest_loops(points)
+eye = [2.0, -1.5, 1.5]
+seen = cloud[geometry.visible_points(cloud, eye)]
+rays = geometry.rays_from_viewpoints(seen, [eye])  # no loop of one view is believed without them
+for name, points, views in (("whole chair", cloud, []), ("one view", seen, rays)):
+    found = geometry.shortest_loops(points, rays=views)
     print(f"{name}: {len(points)} points, {len(found.found)} loops at d = ", end="")
     print(f"{found.complex.max_edge_length:.3f} m")
     for loop in found.found:

@@ -8,6 +8,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ._commands import FOUND, NOT_FOUND
 from .errors import TaskError
 
@@ -28,7 +30,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "loop around each. What may be a hole is listed as uncertain, with the reason. The exit "
         "code is 1 if no hole is reliable. For an object that cameras saw, name the scene file of "
         "`graspless see`: then rays that passed through a loop decide whether it is a hole. "
-        "Without rays, the distances between the points decide."
+        "Without rays, the distances between the points decide, and no hole is reliable in a cloud "
+        "of one side."
     )
     parser.add_argument(
         "file",
@@ -36,6 +39,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="point cloud (.ply, .pcd, .xyz), mesh (.stl, .obj, .off) or scene file (.yaml)",
     )
     parser.add_argument("--object", metavar="NAME", help="object of the scene file")
+    parser.add_argument(
+        "--views",
+        type=float,
+        nargs="+",
+        metavar="X Y Z",
+        help="positions of the cameras that saw the cloud, three numbers each, in its frame and "
+        "unit; a place without points is then one that rays passed",
+    )
     parser.add_argument(
         "--unit",
         choices=["m", "mm"],
@@ -108,7 +119,10 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
             else f"--object: {options.object}: only for objects of a scene file (.yaml)"
         )
     if not is_scene:
-        return read_points(options.file, options.unit, options.points, options.seed), []
+        points = read_points(options.file, options.unit, options.points, options.seed)
+        return points, _rays(points, options)
+    if options.views:
+        raise TaskError("--views: only for clouds; a scene file has its rays")
     from .perception import load_scene
     from .tasks.scenes import named
     from .tasks.source import Source
@@ -116,6 +130,23 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
     scene = load_scene(options.file)
     thing = named(scene.objects, options.object, Source("--object", {}), ())
     return thing.points, list(thing.rays)
+
+
+def _rays(points: Matrix, options: argparse.Namespace) -> list[geometry.RayImage]:
+    """Returns the rays of the cameras of --views."""
+    from . import geometry
+
+    if not options.views:
+        return []
+    if len(options.views) % 3:
+        raise TaskError(
+            f"--views has {len(options.views)} numbers; it must have three for each camera: x y z"
+        )
+    eyes = (0.001 if options.unit == "mm" else 1.0) * np.reshape(options.views, (-1, 3))
+    try:
+        return geometry.rays_from_viewpoints(points, eyes)
+    except ValueError as error:
+        raise TaskError(f"--views: {error}") from None
 
 
 def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:

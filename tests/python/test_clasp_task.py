@@ -244,6 +244,14 @@ def test_views_keep_what_is_seen(write):
     assert {tuple(p) for p in one} <= {tuple(p) for p in everything}
 
 
+def test_views_make_rays(write):
+    task = graspless.load_task(write(changed(*of_object("views: [[0, 3, 0.3], [0, -3, 0.3]]"))))
+    thing = task.problem.object
+    assert [image.X_OC[:3, 3].tolist() for image in thing.rays] == [[0, 3, 0.3], [0, -3, 0.3]]
+    assert len(thing.loops.found) == 1
+    assert thing.loops.has_rays
+
+
 def test_noise_has_its_size_and_its_seed(write):
     clean = graspless.load_task(write(PURSE)).problem.object.points
     noisy = [

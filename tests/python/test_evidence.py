@@ -199,3 +199,46 @@ def test_bad_rays_of_a_task_are_refused(mug, change, words):
     with pytest.raises(TaskError) as error:
         task_from_dict(document, "task", resolve=True)
     assert words in str(error.value)
+
+
+def cloud_file(scene, path):
+    """Writes the points of the only object; returns the camera's position in their frame."""
+    (thing,) = scene.objects
+    np.savetxt(path, thing.points)
+    return thing.rays[0].X_OC[:3, 3]
+
+
+def test_a_cloud_of_one_view_needs_its_camera(mug, tmp_path, capsys):
+    eye = cloud_file(mug, tmp_path / "mug.xyz")
+    assert main(["loops", str(tmp_path / "mug.xyz")]) == 1
+    assert "one camera could have seen all points" in capsys.readouterr().out
+    assert main(["loops", str(tmp_path / "mug.xyz"), "--json", "--views", *map(str, eye)]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["has_rays"]
+    assert len(found["found"]) == 1
+    assert found["found"][0]["seen_through"] > 1e-4
+
+
+def test_a_camera_without_depth_image_sees_no_hole_in_a_cup(tmp_path):
+    eye = cloud_file(perceived(CUP), tmp_path / "cup.xyz")
+    millimetres = 1000 * np.loadtxt(tmp_path / "cup.xyz")
+    np.savetxt(tmp_path / "cup_mm.xyz", millimetres)
+    assert main(["loops", str(tmp_path / "cup.xyz"), "--views", *map(str, eye)]) == 1
+    views = [*map(str, 1000 * eye)]
+    assert main(["loops", str(tmp_path / "cup_mm.xyz"), "--unit", "mm", "--views", *views]) == 1
+
+
+def test_bad_views_are_refused(mug, tmp_path, capsys):
+    cloud_file(mug, tmp_path / "mug.xyz")
+
+    def refused(*arguments):
+        assert main(["loops", *map(str, arguments)]) == 2
+        return capsys.readouterr().err
+
+    path = tmp_path / "mug.xyz"
+    assert "--views has 2 numbers; it must have three" in refused(path, "--views", 1, 2)
+    assert "viewpoints[0] is among the points" in refused(path, "--views", 0, 0, 0.05)
+    assert "but point 1 is" in refused(path, "--views", 0, 0, 1, 0, 0, "nan")
+    perception.save_scene(mug, tmp_path / "scene.yaml")
+    scene = (tmp_path / "scene.yaml", "--object", "object_0", "--views", 0, 0, 1)
+    assert "--views: only for clouds" in refused(*scene)

@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
+__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'rays_from_viewpoints', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
     """
     A box centred at its frame's origin, sides along the axes.
@@ -802,6 +802,32 @@ def outline(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], wha
         If there are fewer than three points, if one is not finite, if all lie on a line, or if they
         form several pieces.
     """
+def rays_from_viewpoints(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], viewpoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[RayImage]:
+    """
+    Makes rays of cameras of which only the positions are known.
+    
+    A ray ends on the object if a point is within two spacings of it in the image, and passes it
+    otherwise. The cloud must have all that the cameras saw of the object, and nothing else. Depth
+    images are better: a patch that a camera did not see, such as dark material, looks open here.
+    
+    Parameters
+    ----------
+    points : (N, 3) array
+        Points of the object [m], in any frame.
+    viewpoints : (K, 3) array
+        Positions of the cameras in the same frame [m].
+    
+    Returns
+    -------
+    list of RayImage
+        One for each viewpoint, for `shortest_loops`.
+    
+    Raises
+    ------
+    ValueError
+        If there are fewer than 20 points, one is not finite, or a viewpoint is among the points: they
+        must lie within 60 degrees of the direction to their middle.
+    """
 def read_mesh(path: str, scale: typing.SupportsFloat | typing.SupportsIndex | typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = 1.0) -> Mesh:
     """
     Reads a triangle mesh. Polygons are triangulated.
@@ -885,7 +911,7 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
     rays : list of RayImage, optional
         Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
         Without them the distances between the points decide, which is right for points from all
-        sides only.
+        sides only: no loop is found if one camera could have seen nearly all points.
     
     Returns
     -------

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -23,5 +24,13 @@ struct RayImage {
 /// Throws std::invalid_argument that names `field` unless an image has 1 to 25 * 10^6 pixels, none
 /// of which is not a number or minus infinity, a camera matrix without skew, and a rigid pose.
 GRASPLESS_API void validate(const RayImage& rays, const std::string& field);
+
+/// Rays of cameras that saw an object, from its points (3 x n, in O) and the positions of the
+/// cameras (3 x k, in O) [m], where no depth images are left: a ray ends on the object if a point
+/// is within two spacings of it in the image, and passes it otherwise. The cloud must have all that
+/// the cameras saw of the object, and nothing else. Throws std::invalid_argument unless there are
+/// at least 20 finite points, all within 60 degrees of the direction to their middle.
+GRASPLESS_API std::vector<RayImage> rays_from_viewpoints(const Eigen::Matrix3Xd& points,
+                                                         const Eigen::Matrix3Xd& viewpoints);
 
 }  // namespace graspless::geometry

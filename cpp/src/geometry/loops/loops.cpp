@@ -18,6 +18,7 @@
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/loops/classes.hpp"
 #include "geometry/loops/evidence.hpp"
+#include "geometry/loops/one_sided.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
 #include "geometry/loops/shortest_basis.hpp"
@@ -292,6 +293,8 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   if (!rays.empty()) {
     weigh(Evidence(rays, filtration.points()), spacing(filtration.points()), result);
     choose_complex(filtration, result);
+  } else {
+    doubt_if_one_sided(filtration.points(), result);
   }
   if (result.complex.edges.cols() > 0)
     result.surface = surface_of(result.complex, Resolution(result.complex));

@@ -117,8 +117,13 @@ void report(const Filtration& filtration, const LoopOptions& options, Loops& res
     if (!d_is_given) result.reason += ", on the plateau " + describe(result.plateau);
     if (!unclear.empty()) result.reason += "; beside " + unclear;
   } else if (!unclear.empty()) {
+    const auto seen = std::max_element(
+        result.uncertain.begin(), result.uncertain.end(),
+        [](const Loop& a, const Loop& b) { return a.seen_through < b.seen_through; });
     result.reason =
-        "no reliable hole: " + unclear + "; the shortest: " + result.uncertain[0].reason;
+        "no reliable hole: " + unclear +
+        (seen->seen_through > 0 ? "; the one seen through most: " : "; the shortest: ") +
+        seen->reason;
   } else if (!result.meridians.empty()) {
     result.reason = "every loop runs around a thick handle instead of along it";
   } else if (d_is_given) {

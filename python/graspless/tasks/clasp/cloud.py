@@ -5,13 +5,14 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ... import clasp, geometry
 from ..clouds import read_cloud
 from ..documents import rows_of
+from ..rays import Rays, rays_fields
 from ..source import Source, at
 
 if TYPE_CHECKING:
@@ -26,9 +27,9 @@ DEFAULT = 2000  # points, as in the paper
 
 
 def resolve_object(thing: model.Object, source: Source, directory: Path) -> model.Object:
-    """Returns the object with its points inline."""
+    """Returns the object with its points inline, and with the rays of its viewpoints."""
     points = object_points(thing, source, directory)
-    update = {
+    update: dict[str, Any] = {
         "points": rows_of(points),
         "cloud": None,
         "mesh": None,
@@ -38,6 +39,10 @@ def resolve_object(thing: model.Object, source: Source, directory: Path) -> mode
         "views": [],
         "noise": 0.0,
     }
+    if thing.views:
+        with at(source, "object", "views"):
+            rays = geometry.rays_from_viewpoints(points, np.array(thing.views))
+        update["rays"] = [Rays.model_validate(rays_fields(image)) for image in rays]
     return thing.model_copy(update=update)
 
 

@@ -79,7 +79,8 @@ class Object(Fields):
     scale: Positive = Field(default=1.0, description="factor of all lengths, about O")
     views: list[Point3] = Field(
         default=[],
-        description="viewpoints in O [m]; only points that are visible from one of them are kept",
+        description="positions of cameras in O [m]; only points that are visible from one of them "
+        "are kept, and a place without points is one that rays passed",
     )
     noise: NotNegative = Field(
         default=0.0, description="standard deviation of noise that is added to every coordinate [m]"
@@ -102,6 +103,8 @@ class Object(Fields):
             self.one_of("cloud", "mesh", "sample", "scene")
         if self.rays and (not isinstance(self.points, list) or self.scale != 1.0):
             raise ValueError("rays are for points in O without a scale")
+        if self.rays and self.views:
+            raise ValueError("rays and views must not both be given")
         if self.scene is not None:
             self._check_scene()
         elif "respect" in self.model_fields_set:

@@ -208,5 +208,48 @@ TEST(Evidence, RefusesBadRays) {
       starts(complaint_of([](RayImage& r) { r.X_OC.linear() *= 2; }), "rays[1].X_OC must be"));
 }
 
+Eigen::Matrix3Xd matrix_of(const std::vector<Eigen::Vector3d>& eyes) {
+  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(eyes.size()));
+  for (std::size_t i = 0; i < eyes.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = eyes[i];
+  return columns;
+}
+
+TEST(Viewpoints, TellHolesFromRimsWithoutDepthImages) {
+  const auto found = [](const std::vector<Block>& blocks,
+                        const std::vector<Eigen::Vector3d>& eyes) {
+    const Eigen::Matrix3Xd points = look(blocks, eyes).points;
+    return shortest_loops(points, {}, rays_from_viewpoints(points, matrix_of(eyes)));
+  };
+  for (const auto& eyes : {std::vector{kFront}, {kFront, Eigen::Vector3d(-kFront)}}) {
+    const Loops hole = found(frame(), eyes);
+    ASSERT_EQ(hole.found.size(), 1u) << hole.reason;
+    EXPECT_NEAR(hole.found[0].seen_through, 0.12 * 0.12, 0.4 * 0.12 * 0.12);
+    EXPECT_TRUE(found(frame(0.05), eyes).found.empty());
+  }
+  EXPECT_TRUE(found(tray(true), {kAbove}).found.empty());
+  EXPECT_EQ(found(tray(false), {kAbove}).found.size(), 1u);
+}
+
+TEST(Viewpoints, RefuseBadInput) {
+  const Eigen::Matrix3Xd points = look(frame(), {kFront}).points;
+  const Eigen::Vector3d inside(0.0, 0.0, 0.0);
+  expect_refused([&] { rays_from_viewpoints(points, inside); }, "viewpoints[0] is among");
+  expect_refused([&] { rays_from_viewpoints(points.leftCols(10), kFront); }, "at least 20, not 10");
+  expect_refused([&] { rays_from_viewpoints(points, Eigen::Vector3d(NAN, 0, 0)); }, "viewpoints");
+  EXPECT_TRUE(rays_from_viewpoints(points, Eigen::Matrix3Xd(3, 0)).empty());
+}
+
+TEST(OneSided, ALoopOfOneViewIsUncertainWithoutItsCamera) {
+  const Loops one = shortest_loops(look(frame(), {kFront}).points);
+  EXPECT_TRUE(one.found.empty());
+  ASSERT_FALSE(one.uncertain.empty());
+  EXPECT_NE(one.reason.find("one camera could have seen all points"), std::string::npos)
+      << one.reason;
+  const Eigen::Vector3d side(0.4, 0.2, 0.1);
+  const std::vector<Eigen::Vector3d> around{kFront, -kFront, side, -side};
+  const Loops all = shortest_loops(look(frame(), around).points);
+  EXPECT_FALSE(all.found.empty()) << all.reason;
+}
+
 }  // namespace
 }  // namespace graspless::geometry
