@@ -33,10 +33,13 @@ class Policy:
         self._features = [names.index(name) for name in FEATURES]
         self._clock = names.index("phase_time")
         found = pq.read_table(folder / "data/chunk-000/file-000.parquet")
-        columns = {name: np.array(found[name].to_pylist()) for name in found.column_names}
-        cuts = np.flatnonzero(np.diff(columns["episode_index"])) + 1
-        states = np.split(columns["observation.state"], cuts)
-        actions = np.split(columns["action"], cuts)
+        cuts = np.flatnonzero(np.diff(found["episode_index"].to_numpy())) + 1
+        states, actions = (
+            np.split(
+                found[name].combine_chunks().flatten().to_numpy().reshape(len(found), -1), cuts
+            )
+            for name in ("observation.state", "action")
+        )
         tasks = np.array([state[0, self._features] for state in states])
         self._mean, self._std = tasks.mean(axis=0), tasks.std(axis=0)
         phases = [self._phases(*episode) for episode in zip(states, actions, strict=True)]

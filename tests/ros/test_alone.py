@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A node that finds nobody: no robot, no camera, no controllers. Each goal says what is missing."""
 
+import subprocess
+import sys
 import threading
 import time
 
@@ -162,3 +164,10 @@ def test_a_client_that_finds_no_node_says_so(bench, monkeypatch):
             Transcript(node, time.monotonic()).run()
     finally:
         node.destroy_node()
+
+
+def test_arguments_that_ros_would_ignore_are_refused():
+    command = [sys.executable, "-m", "graspless", "ros", "node", "-p", "jobs:=2"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 2
+    assert "ros: -p: unknown argument: those of ROS come after --ros-args" in done.stderr

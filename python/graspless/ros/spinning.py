@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import rclpy
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.signals import SignalHandlerOptions
+from rclpy.utilities import remove_ros_args
 
 from ..errors import TaskError
 
@@ -71,6 +72,9 @@ def run_fake_robot(arguments: Sequence[str]) -> bool:
 
 
 def _run(make: Callable[[], Any], arguments: Sequence[str]) -> bool:
+    left = remove_ros_args(["graspless", *arguments])[1:]
+    if left:
+        raise TaskError(f"ros: {left[0]}: unknown argument: those of ROS come after --ros-args")
     # By default a signal would close ROS, and nobody could tell the controllers to stop.
     rclpy.init(args=["graspless", *arguments], signal_handler_options=SignalHandlerOptions.NO)
     node = make()
