@@ -1,9 +1,8 @@
 # Sourced by install and install-bench, from the root of the checkout: pip_install, and the settings of ccache.
 
-# ccache when it is there, shared by all clones; a launcher of the user's own stays. Its default refuses precompiled headers.
+# Settings of ccache, whose cache all clones share. Its default refuses precompiled headers.
 export CCACHE_BASEDIR=${CCACHE_BASEDIR-$PWD}
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros,include_file_mtime,include_file_ctime}
-command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
 
 # Shows the counter of the build tool as it comes: in place on a terminal, else every tenth step.
 show_steps() {
@@ -20,9 +19,11 @@ show_steps() {
 }
 
 # pip install ARGS, with a line of progress. What pip and the compiler say is in LOG, and is shown if they fail.
+# ccache compiles if it is installed by now; a launcher of the user's own stays.
 #   pip_install LOG ARGS...
 pip_install() {
   local log=$1
+  ! command -v ccache >/dev/null || export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
   mkdir -p "$(dirname "$log")"
   .venv/bin/pip install --verbose --no-build-isolation "${@:2}" 2>&1 | tee "$log" | show_steps && return
   cat "$log" >&2
