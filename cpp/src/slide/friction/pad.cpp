@@ -14,11 +14,11 @@ constexpr double kLikely = 1.25;
 
 constexpr double kLeastPress = 1e-9;  // relative to the weight
 
-/// m g / N while the pad moves along a unit vector, or in no direction.
-double weight_along(const Problem& problem, const Pad& pad, const Eigen::Vector2d& way) {
+/// N / (m g) while the pad moves along a unit vector, or in no direction.
+double press_along(const Problem& problem, const Pad& pad, const Eigen::Vector2d& way) {
   const double press = dragging_force(problem.hand, pad.depth, pad.pitch, pad.heading.dot(way),
                                       problem.support.friction(), weight(problem));
-  return 1 / std::max(kLeastPress, press / weight(problem));
+  return std::max(kLeastPress, press / weight(problem));
 }
 
 }  // namespace
@@ -88,8 +88,8 @@ Leg::Leg(const Problem& problem, const Pad& from, const Pad& to) : from_(from), 
   const double length = way.norm();
   const Eigen::Vector2d along = length > 0 ? Eigen::Vector2d(way / length) : way;
   twist_ << way, std::remainder(to.yaw - from.yaw, 2 * std::acos(-1.0));
-  weight_from_ = weight_along(problem, from, along);
-  weight_to_ = weight_along(problem, to, along);
+  press_from_ = press_along(problem, from, along);
+  press_to_ = press_along(problem, to, along);
 }
 
 }  // namespace graspless::slide

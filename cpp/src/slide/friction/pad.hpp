@@ -49,14 +49,15 @@ struct PadPoint {
   double weakness, radius;  ///< as in Pad
 };
 
-/// Straight way of the pad between two places.
+/// Straight way of the pad between two places, on which the press changes evenly.
 class Leg {
  public:
   Leg(const Problem& problem, const Pad& from, const Pad& to);
 
   const Eigen::Vector3d& twist() const { return twist_; }  ///< way [m] and turn [rad]
   PadPoint at(double t) const {
-    return {from_.position + t * twist_.head<2>(), weight_from_ + t * (weight_to_ - weight_from_),
+    return {from_.position + t * twist_.head<2>(),
+            1 / (press_from_ + t * (press_to_ - press_from_)),
             from_.weakness + t * (to_.weakness - from_.weakness),
             from_.radius + t * (to_.radius - from_.radius)};
   }
@@ -64,7 +65,7 @@ class Leg {
  private:
   const Pad &from_, &to_;
   Eigen::Vector3d twist_;
-  double weight_from_, weight_to_;
+  double press_from_, press_to_;  // relative to the weight
 };
 
 /// Returns the logarithm of the factor by which mu_s (N + m g) / (mu_p N) is larger in the worst

@@ -20,6 +20,7 @@ constexpr double kBothWorst = 0.7;  // share of each of two errors that are wors
 
 constexpr double kStride = 0.01;      // step of the integration [m]
 constexpr double kLongStride = 0.03;  // where an estimate is enough
+constexpr double kFiner = 8;          // steps where slip begins or ends
 constexpr double kTurnStride = 10;    // turn of a step, relative to its length [rad/m]
 constexpr int kMostSteps = 1000;      // between two rows
 constexpr std::size_t kWeakest = 1;   // of the worlds
@@ -56,17 +57,18 @@ Planar moved(const Planar& X_SO, const Eigen::Vector2d& at, const Eigen::Vector3
 }
 
 /// Moves the object of a world along with the pad: at once if the pad holds it at both ends of the
-/// leg, or else in steps by the midpoint rule.
+/// leg, or else in steps by the midpoint rule. They are short if it holds at one end: slip that
+/// begins or ends within a step is lost, or counted for all of it.
 void follow(const Problem& problem, const Leg& leg, double stride, World& world) {
-  const PadPoint start = leg.at(0);
-  if (twist_in(problem, world, start, leg.twist()) == leg.twist()) {
-    World there = world;
-    there.X_SO = moved(world.X_SO, start.position, leg.twist());
-    if (twist_in(problem, there, leg.at(1), leg.twist()) == leg.twist()) {
-      world = there;
-      return;
-    }
+  World there = world;
+  there.X_SO = moved(world.X_SO, leg.at(0).position, leg.twist());
+  const bool holds = twist_in(problem, world, leg.at(0), leg.twist()) == leg.twist();
+  const bool holds_then = twist_in(problem, there, leg.at(1), leg.twist()) == leg.twist();
+  if (holds && holds_then) {
+    world = there;
+    return;
   }
+  if (holds != holds_then) stride /= kFiner;
   const double length =
       std::max(leg.twist().head<2>().norm(), std::abs(leg.twist().z()) / kTurnStride);
   const double strides = std::min(std::ceil(length / stride), 1.0 * kMostSteps);
