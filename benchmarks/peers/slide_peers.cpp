@@ -33,14 +33,18 @@ class OneState : public planning::SampleableRegion {
     vector(state, arm_.size()) = arm_;
     return true;
   }
-  bool try_sample_partner(const ob::State*, ob::State* goal) const override {
-    return try_sample(goal);
+  std::optional<double> try_sample_partner(const ob::State*, ob::State* goal,
+                                           double) const override {
+    try_sample(goal);
+    return 0;
   }
   unsigned int maxSampleCount() const override { return 1; }
 
  private:
   Eigen::VectorXd arm_;
 };
+
+constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
 planning::Budget endless(std::uint64_t seed) {
   planning::Budget budget;
@@ -81,9 +85,10 @@ bool PairProblem::Impl::draw(PairDraw how) {
   for (int i = 0; i < kStarts; ++i) {
     if (!starts.try_sample(start.get())) continue;
     for (int j = 0; j < (how == PairDraw::fitting ? 1 : kGoals); ++j) {
-      const bool drawn = how == PairDraw::fitting
-                             ? goals.try_sample_partner(start.get(), goal.get())
-                             : goals.try_sample(goal.get());
+      const bool drawn =
+          how == PairDraw::fitting
+              ? goals.try_sample_partner(start.get(), goal.get(), kAnyCost).has_value()
+              : goals.try_sample(goal.get());
       if (!drawn || !goals.isStartGoalPairValid(start.get(), goal.get())) continue;
       pair.emplace(vector(start.get(), n), vector(goal.get(), n));
       return true;

@@ -67,7 +67,7 @@ def test_keeps_the_goal_where_it_fits(plan):
     problem, kept = plan.task.problem, 0
     for seed in range(1, 9):
         whole = slide.plan(problem, budget=Budget(seconds=10, seed=seed))
-        q, X_WO = state(whole, x=0.006, y=-0.004, yaw=0.08)
+        q, X_WO = state(whole, x=0.003, y=-0.002, yaw=0.08)
         rest = slide.resume(problem, q, X_WO, X_WO_goal=whole.X_WO_goal, budget=QUICK)
         assert rest, rest.reason
         kept += np.allclose(rest.X_WO_goal, whole.X_WO_goal, atol=1e-9)

@@ -3,6 +3,7 @@
 #include "graspless/planning/forest_cbirrt.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
@@ -31,6 +32,8 @@ class OwnedState {
   const ob::SpaceInformationPtr& si_;
   ob::State* state_;
 };
+
+constexpr double kAnyCost = std::numeric_limits<double>::infinity();
 
 double uniform(std::mt19937_64& rng) { return std::uniform_real_distribution<double>(0, 1)(rng); }
 
@@ -63,8 +66,9 @@ ob::PlannerStatus ForestCBiRRT::solve(const ob::PlannerTerminationCondition& ptc
   for (; !ptc; std::swap(a, b)) {                                                   // 2, 18
     if (can_add_root()) {                                                           // 3, Eq. (5)
       const int root = add_from_region(*a);                                         // 4
-      if (root >= 0 && connect_first_ && connects_partner(*a, root, meeting) && solves(meeting)) {
-        return ob::PlannerStatus::EXACT_SOLUTION;
+      if (root >= 0 && connect_first_) {
+        const auto pair = add_partner(start_for(*a, root), kAnyCost);
+        if (pair && is_solved_by(*pair)) return ob::PlannerStatus::EXACT_SOLUTION;
       }
     }
     if (a->size() == 0 || b->size() == 0) continue;
@@ -106,35 +110,55 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
 }
 
 // Precedes Algorithm 1 with set_connect_first(). Most queries end here, before a tree has grown.
+// The cheapest pairs of the first starts are tried first. Where obstacles are in their way, any
+// other pair is as good.
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
-  constexpr int kRounds = 200;
-  Meeting meeting;
-  const std::vector<int>& starts = start_forest_->roots();
-  if (!start_region_ && starts.empty()) return false;
-  for (int i = 0; i < kRounds && !ptc; ++i) {
-    const int root = start_region_ ? add_from_region(*start_forest_)
-                                   : starts[static_cast<std::size_t>(i) % starts.size()];
-    if (root >= 0 && connects_partner(*start_forest_, root, meeting) && solves(meeting))
-      return true;
+  constexpr int kStarts = 200;
+  if (!start_region_ && start_forest_->size() == 0) return false;
+  const std::vector<int> given = start_forest_->roots();
+  std::vector<Pair> pairs;  // each cheaper than those before
+  int to_compare = start_region_ ? kCompared : 1;
+  for (int i = 0; i < kStarts && !ptc; ++i) {
+    const int start = start_region_ ? add_from_region(*start_forest_)
+                                    : given[static_cast<std::size_t>(i) % given.size()];
+    if (start >= 0) --to_compare;
+    if (const auto pair = add_partner(start, pairs.empty() ? kAnyCost : pairs.back().cost)) {
+      pairs.push_back(*pair);
+    }
+    if (to_compare > 0 && i + 1 < kStarts) continue;
+    for (; !pairs.empty(); pairs.pop_back()) {
+      if (is_solved_by(pairs.back())) return true;
+    }
+    to_compare = 1;
   }
   return false;
 }
 
-// Samples a goal that fits the new root, if it is a start, or a random start otherwise: a goal that
-// was sampled on its own hardly ever fits a start. Then tries to connect the two.
-bool ForestCBiRRT::connects_partner(const Forest& forest, int root, Meeting& meeting) {
-  const auto* region = dynamic_cast<const SampleableRegion*>(pdef_->getGoal().get());
-  if (!region || start_forest_->size() == 0) return false;
+// The root itself if it is a start, or a random start otherwise: a goal that was sampled on its own
+// hardly ever fits a start. -1 if there is none.
+int ForestCBiRRT::start_for(const Forest& forest, int root) {
+  if (&forest == start_forest_.get()) return root;
   const auto& starts = start_forest_->roots();
-  const int start =
-      &forest == start_forest_.get()
-          ? root
-          : starts[static_cast<std::size_t>(uniform(rng_) * static_cast<double>(starts.size()))];
-  const OwnedState state(si_);
-  if (!region->try_sample_partner(start_forest_->state(start), state)) return false;
-  const int goal = goal_forest_->add_root(state);
-  meeting = {extend(*start_forest_, start, state), goal};
-  return si_->equalStates(start_forest_->state(meeting.start_node), state);
+  if (starts.empty()) return -1;
+  return starts[static_cast<std::size_t>(uniform(rng_) * static_cast<double>(starts.size()))];
+}
+
+// Samples a goal that fits a start root.
+std::optional<ForestCBiRRT::Pair> ForestCBiRRT::add_partner(int start, double max_cost) {
+  const auto* region = dynamic_cast<const SampleableRegion*>(pdef_->getGoal().get());
+  if (!region || start < 0) return std::nullopt;
+  const OwnedState goal(si_);
+  const auto cost = region->try_sample_partner(start_forest_->state(start), goal, max_cost);
+  if (!cost) return std::nullopt;
+  return Pair{start, goal_forest_->add_root(goal), *cost};
+}
+
+// True if the straight way from start to goal connects the two, and solves the problem.
+bool ForestCBiRRT::is_solved_by(const Pair& pair) {
+  const State* goal = goal_forest_->state(pair.goal);
+  const int reached = extend(*start_forest_, pair.start, goal);
+  if (!si_->equalStates(start_forest_->state(reached), goal)) return false;
+  return solves({reached, pair.goal});
 }
 
 // ConstrainedExtend() of CBiRRT: takes steps towards the target, each projected onto the

@@ -8,8 +8,9 @@ namespace graspless::planning {
 
 SampleableRegion::~SampleableRegion() = default;
 
-bool SampleableRegion::try_sample_partner(const ompl::base::State*, ompl::base::State*) const {
-  return false;
+std::optional<double> SampleableRegion::try_sample_partner(const ompl::base::State*,
+                                                           ompl::base::State*, double) const {
+  return std::nullopt;
 }
 
 void SampleableRegion::sampleGoal(ompl::base::State* state) const {

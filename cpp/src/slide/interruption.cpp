@@ -54,6 +54,7 @@ Planar laid_flat(const Object& object, const Eigen::Isometry3d& X_SO) {
 /// Why the fingertip does not press at `contact`, a position on the object; empty if it does.
 std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
   const Object& object = query.problem.object;
+  constexpr double kAtRim = 0.001;    // check()'s tolerance: contacts lie at the margin, too [m]
   constexpr double kSpacings = 1.25;  // from a position on the object to the nearest of its points
   const double inside = object.outline().depth(p_OC);
   if (inside < 0) return "the fingertip presses " + in_mm(-inside) + " beside the object";
@@ -63,7 +64,7 @@ std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
            " from its nearest point";
   }
   const double margin = rim_margin(object, query.options);
-  if (inside >= margin) return "";
+  if (inside >= margin - kAtRim) return "";
   return "the fingertip presses only " + in_mm(inside) +
          " inside the object's outline; options.rim_margin asks for " + in_mm(margin);
 }

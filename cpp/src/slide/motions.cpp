@@ -16,6 +16,7 @@ constexpr double kStill = 4e-4;        // allowed movement of the contact betwee
 constexpr double kGraspStep = 0.01;    // between waypoints of the hand's straight final motion [m]
 constexpr double kLineStep = 0.02;     // between waypoints of other straight motions [m]
 constexpr std::size_t kGraspCandidates = 6;
+constexpr std::size_t kRemembered = 8;          // goals whose grasps are known
 constexpr std::size_t kSearchedCandidates = 2;  // of those, the nearest to which a tree is grown
 
 /// Appends poses straight above X_WF, up to `height` [m].
@@ -66,8 +67,11 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
 
 bool Motions::is_graspable(const Planar& object_S, const Placement& place) {
   place_object(object_S);
-  drawn_ = {object_S, grasp_configurations(place, 1)};
-  return !drawn_.grasps.empty();
+  auto grasps = grasp_configurations(place, 1);
+  if (grasps.empty()) return false;
+  if (drawn_.size() == kRemembered) drawn_.erase(drawn_.begin());
+  drawn_.push_back({object_S, std::move(grasps)});
+  return true;
 }
 
 void Motions::place_object(const Planar& object_S) {
@@ -149,8 +153,9 @@ std::optional<Path> Motions::free_path(const Eigen::VectorXd& from, const Eigen:
 bool Motions::find_reach(Handling& handling) {
   place_object(handling.object_goal);
   auto candidates = grasp_configurations(handling.placement, kGraspCandidates);
-  if (drawn_.object_S.isApprox(handling.object_goal, 1e-9)) {
-    candidates.insert(candidates.end(), drawn_.grasps.begin(), drawn_.grasps.end());
+  for (const Drawn& drawn : drawn_) {
+    if (!drawn.object_S.isApprox(handling.object_goal, 1e-9)) continue;
+    candidates.insert(candidates.end(), drawn.grasps.begin(), drawn.grasps.end());
   }
   if (candidates.empty()) {
     query_.refuse("pair: grasp reach");

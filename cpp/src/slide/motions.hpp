@@ -96,7 +96,7 @@ class GRASPLESS_API Motions {
 
   std::map<std::vector<double>, KnownApproach> approaches_;  // by start configuration
   int num_refused_ = 0;                                      // pairs rejected for want of a motion
-  Drawn drawn_;                                              // last result of is_graspable()
+  std::vector<Drawn> drawn_;                                 // last results of is_graspable()
   std::optional<Approach> valid_approach_;
   std::optional<Handling> handling_;
 };

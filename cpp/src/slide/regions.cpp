@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/vector_states.hpp"
 #include "graspless/watch.hpp"
 
@@ -76,6 +78,16 @@ std::vector<std::int32_t> inside_points(const Object& object, const Options& opt
 double draw_depth(Query& query) {
   const auto [min, max] = depth_band(query.problem.hand, query.options);
   return query.uniform(min, max);
+}
+
+/// Returns how far the object's points move on a straight slide, in the mean: at most the way of
+/// the centre of mass and what the turn about it adds [m].
+double travel(const Query& query, const Planar& object_S) {
+  const Eigen::Vector2d com = query.problem.object.com().head<2>();
+  const Planar turned = object_S * query.object_start.inverse();
+  const double turn = std::abs(Eigen::Rotation2Dd(turned.rotation()).smallestAngle());
+  return (object_S * com - query.object_start * com).norm() +
+         turn * query.problem.object.mean_distance(com);
 }
 
 /// Returns how the object sticks out at a goal; nothing if not as the options ask.
@@ -188,30 +200,50 @@ bool GoalRegion::try_sample(ob::State* state) const {
   return true;
 }
 
-bool GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal) const {
-  constexpr int kDraws = 24;
+std::optional<double> GoalRegion::try_sample_partner(const ob::State* start, ob::State* goal,
+                                                     double max_cost) const {
   const Eigen::VectorXd q_start = vector(start, query_.arm.dof());
   const Eigen::VectorXd near = query_.arm.full(q_start);
   const ContactSpace::Carried carried = query_.carried_from(q_start);
   const double depth = query_.top - query_.contact.tip_at(q_start).height;
-  for (int i = 0; i < kDraws && !query_.clock.is_out(); ++i) {
-    const auto object_S = draw_object_pose(carried);
-    if (!object_S) continue;
-    const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-    const double free_joint = draw_free_joint(query_.free_joint_of(near));
-    const auto arm = press_at(query_, contact, depth, near, free_joint);
+  for (const Partner& partner : draw_partners(carried, query_.free_joint_of(near))) {
+    if (query_.clock.is_out() || partner.travel >= max_cost) break;
+    const Planar contact = partner.object_S * carried.object_start.inverse() * carried.tip_start;
+    const auto arm = press_at(query_, contact, depth, near, partner.free_joint);
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
       query_.refuse_press("goal: ", *arm);
-    } else if (const auto place = placed(query_, *object_S);
-               place && query_.is_lag_likely_small(carried, depth, *place, *object_S) &&
-               motions_.is_graspable(*object_S, *place)) {
+    } else if (const auto place = placed(query_, partner.object_S);
+               place && query_.is_lag_likely_small(carried, depth, *place, partner.object_S) &&
+               motions_.is_graspable(partner.object_S, *place)) {
       vector(goal, query_.arm.dof()) = *arm;
-      return true;
+      return partner.travel;
     }
   }
-  return false;
+  return std::nullopt;
+}
+
+/// Draws goals that fit a start. For the first starts, the nearest goals come first: their slides
+/// are the shortest, and the pad turns the least on them. A slide that goes on prefers its former
+/// goal, and then its former edge.
+std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::Carried& carried,
+                                                           double joint_at_start) const {
+  constexpr int kDraws = 24;
+  const bool near_first = num_drawn_ < kDraws * planning::ForestCBiRRT::kCompared;
+  std::vector<Partner> partners;
+  for (int i = 0; i < kDraws; ++i) {
+    const int rank = former_ ? (num_drawn_ >= kFormer) + (num_drawn_ >= kFormer + kFormerEdge) : 0;
+    const auto object_S = draw_object_pose(carried);
+    const double free_joint = draw_free_joint(joint_at_start);
+    if (!object_S) continue;
+    partners.push_back({*object_S, free_joint, rank, travel(query_, *object_S)});
+  }
+  if (!near_first) return partners;
+  std::stable_sort(partners.begin(), partners.end(), [](const Partner& a, const Partner& b) {
+    return std::tie(a.rank, a.travel) < std::tie(b.rank, b.travel);
+  });
+  return partners;
 }
 
 /// Draws a goal pose of the object: graspable by construction, with the fingertip's contact still

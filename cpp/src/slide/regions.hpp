@@ -39,11 +39,23 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
   GoalRegion(const ompl::base::SpaceInformationPtr& si, Query& query, Motions& motions,
              const Interruption* at = nullptr);
   bool try_sample(ompl::base::State* state) const override;
-  bool try_sample_partner(const ompl::base::State* start, ompl::base::State* goal) const override;
+  /// The cost of a pair is the travel of the object [m].
+  std::optional<double> try_sample_partner(const ompl::base::State* start, ompl::base::State* goal,
+                                           double max_cost) const override;
   bool isStartGoalPairValid(const ompl::base::State* start,
                             const ompl::base::State* goal) const override;
 
  private:
+  /// Goal of the object that was drawn for a start.
+  struct Partner {
+    Planar object_S;
+    double free_joint;  ///< of the arm at the goal [rad]
+    int rank;           ///< partners of a smaller rank come first
+    double travel;      ///< of the object from the start [m]
+  };
+
+  std::vector<Partner> draw_partners(const ContactSpace::Carried& carried,
+                                     double joint_at_start) const;
   std::optional<Planar> draw_object_pose(const ContactSpace::Carried& carried) const;
   std::optional<Planar> draw_graspable() const;
   double draw_free_joint(double at_start) const;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/planning/forest_cbirrt.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <ompl/base/goals/GoalStates.h>
@@ -46,11 +49,14 @@ class Cap : public SampleableRegion {
     ++num_asked;
     return vector(start, 3).x() * vector(goal, 3).x() > 0;
   }
-  bool try_sample_partner(const ob::State* start, ob::State* goal) const override {
+  std::optional<double> try_sample_partner(const ob::State* start, ob::State* goal,
+                                           double max_cost) const override {
     do {
-      if (!try_sample(goal)) return false;
+      if (!try_sample(goal)) return std::nullopt;
     } while (vector(start, 3).x() * vector(goal, 3).x() <= 0);
-    return true;
+    const double cost = (vector(start, 3) - vector(goal, 3)).norm();
+    if (cost >= max_cost) return std::nullopt;
+    return cost;
   }
   mutable int num_asked = 0;
 
@@ -249,6 +255,60 @@ TEST(ForestCBiRRT, IsRepeatable) {
   };
   EXPECT_EQ(run(3), run(3));
   EXPECT_NE(run(3), run(4));
+}
+
+/// Starts left, goals right, with the distance as the cost of a pair.
+class Side : public SampleableRegion {
+ public:
+  Side(const ob::SpaceInformationPtr& si, double x) : SampleableRegion(si), x_(x), rng_(7) {}
+  bool try_sample(ob::State* state) const override {
+    ++num_drawn;
+    vector(state, 2) << x_, uniform(rng_, -1, 1);
+    return uniform(rng_, 0, 1) < 0.7;
+  }
+  std::optional<double> try_sample_partner(const ob::State* start, ob::State* goal,
+                                           double max_cost) const override {
+    for (int i = 0; i < 3; ++i) {
+      vector(goal, 2) << x_, uniform(rng_, -1, 1);
+      const double cost = (vector(start, 2) - vector(goal, 2)).norm();
+      all_costs.push_back(cost);
+      if (cost < max_cost) return cost;
+    }
+    return std::nullopt;
+  }
+  bool isStartGoalPairValid(const ob::State* start, const ob::State* goal) const override {
+    asked.push_back((vector(start, 2) - vector(goal, 2)).norm());
+    return asked.size() > num_refused;
+  }
+  mutable int num_drawn = 0;
+  std::size_t num_refused = 0;
+  mutable std::vector<double> all_costs, asked;
+
+ private:
+  double x_;
+  mutable std::mt19937_64 rng_;
+};
+
+TEST(ForestCBiRRT, ConnectsTheCheapestPairOfTheFirstStartsFirst) {
+  auto si = std::make_shared<ob::SpaceInformation>(
+      make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
+  si->setStateValidityChecker([](const ob::State*) { return true; });
+  si->setup();
+  const auto starts = std::make_shared<Side>(si, -1);
+  const auto goals = std::make_shared<Side>(si, 1);
+  goals->num_refused = 2;
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  problem->setGoal(goals);
+  ForestCBiRRT planner(si);
+  planner.setProblemDefinition(problem);
+  planner.set_start_region(starts);
+  planner.set_connect_first(true);
+  ASSERT_TRUE(planner.solve(ob::timedPlannerTerminationCondition(10)));
+  EXPECT_EQ(planner.num_start_roots(), ForestCBiRRT::kCompared);
+  EXPECT_GT(starts->num_drawn, ForestCBiRRT::kCompared);  // draws that failed do not count
+  ASSERT_EQ(goals->asked.size(), 3U);
+  EXPECT_EQ(goals->asked[0], *std::min_element(goals->all_costs.begin(), goals->all_costs.end()));
+  EXPECT_TRUE(std::is_sorted(goals->asked.begin(), goals->asked.end()));
 }
 
 TEST(ForestCBiRRT, RefusesNonsense) {

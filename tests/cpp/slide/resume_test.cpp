@@ -123,7 +123,7 @@ double inside_of_outline(const Problem& problem, const Interruption& at) {
 
 TEST(Resume, FollowsTheMeasuredObject) {
   std::mt19937_64 rng(4);
-  std::uniform_real_distribution<double> offset(-0.01, 0.01), yaw(-10 * kDegree, 10 * kDegree);
+  std::uniform_real_distribution<double> offset(-0.02, 0.02), yaw(-10 * kDegree, 10 * kDegree);
   const Problem problem = simple_problem();
   int solved = 0, lost = 0;
   constexpr int kPlans = 4, kCases = 60;
@@ -136,11 +136,11 @@ TEST(Resume, FollowsTheMeasuredObject) {
     const Plan& whole = plans[static_cast<std::size_t>(i % kPlans)];
     std::uniform_int_distribution<std::size_t> row(0, slide_of(whole).positions.size() - 1);
     Interruption at = at_row(whole, row(rng));
-    at.X_WO = turned(shifted(at.X_WO, offset(rng), offset(rng), offset(rng) / 2), yaw(rng),
+    at.X_WO = turned(shifted(at.X_WO, offset(rng), offset(rng), offset(rng) / 4), yaw(rng),
                      Eigen::Vector3d::UnitZ());
     at.X_WO = turned(at.X_WO, yaw(rng) / 2, Eigen::Vector3d::UnitX());
     const Plan rest = resume(problem, at, {}, seeded(i));
-    if (inside_of_outline(problem, at) < Options{}.rim_margin) {
+    if (inside_of_outline(problem, at) < Options{}.rim_margin - 0.001) {
       EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
       ++lost;
       continue;
@@ -259,7 +259,7 @@ TEST(Resume, SaysWhyNoSlideCanGoOn) {
       {moved(shifted(good.X_WO, 0.2, 0)), Status::contact_lost, "beside the object"},
       {with_q(problem.q_home), Status::contact_lost, "above the object's top face"},
       {with_q(whole().segments[3].positions.back()), Status::contact_lost, "above the object's"},
-      {with_q(hand_closed), Status::contact_lost, "above the object's"},
+      {with_q(hand_closed), Status::contact_lost, "joint 'left_finger_joint'"},
   };
   for (const Lost& lost : cases) {
     const Plan rest = resume(problem, lost.at, {}, seeded(1));
@@ -302,7 +302,7 @@ TEST(Resume, StopsAtAnObstacleThatTouches) {
 TEST(Restart, LiftsOffAndBeginsAnewWhereTheContactIsLost) {
   const Problem problem = simple_problem();
   int lost = 0;
-  for (const double x : {0.0, 0.02, 0.05, 0.08, 0.12}) {
+  for (const double x : {0.0, 0.02, 0.05, 0.1, 0.15}) {
     const Interruption at{midway().q, shifted(midway().X_WO, x, 0.01), {}};
     if (!resume(problem, at, {}, seeded(1, 1))) ++lost;
     const Plan anew = restart(problem, at, {}, seeded(1));

@@ -92,6 +92,35 @@ TEST(Plan, AlgorithmOneAsWrittenHoldsToo) {
   }
 }
 
+/// Distance between the poses at both ends of a slide, in the mean over the object's points [m].
+double travel(const Problem& problem, const Plan& plan) {
+  const Eigen::Isometry3d moved = plan.X_WO_goal * problem.X_WO_start.inverse();
+  const Eigen::Matrix2Xd& points = problem.object.points();
+  double sum = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d p = problem.X_WO_start * Eigen::Vector3d(points(0, i), points(1, i), 0);
+    sum += (moved * p - p).norm();
+  }
+  return sum / static_cast<double>(points.cols());
+}
+
+TEST(Plan, SlidesLessFarThanAlgorithmOne) {
+  std::mt19937_64 rng(1);
+  Options paper;
+  paper.search = Search::paper;
+  double way = 0, papers_way = 0;
+  for (const Support& table : tables()) {
+    for (const Object& object : objects()) {
+      const Problem problem = make_problem(table, object, random_pose(table, object, rng));
+      const Plan near = plan(problem, {}, seeded(1)), any = plan(problem, paper, seeded(1));
+      ASSERT_TRUE(near && any);
+      way += travel(problem, near);
+      papers_way += travel(problem, any);
+    }
+  }
+  EXPECT_LT(way, 0.8 * papers_way);
+}
+
 TEST(Plan, RunsOnATiltedTableThatIsNotConvex) {
   const Eigen::Isometry3d X_WS = Eigen::Translation3d(0.35, -0.4, 0.05) *
                                  Eigen::AngleAxisd(0.2, Eigen::Vector3d(1, -1, 0).normalized());
@@ -429,7 +458,7 @@ TEST(Plan, GraspsRingsAndForksOnTheirMaterial) {
       const Eigen::Vector3d p_OH = found.X_WO_goal.inverse() * found.X_WH_grasp.translation();
       const double nearest =
           (object.points().colwise() - p_OH.head<2>()).colwise().norm().minCoeff();
-      EXPECT_LT(nearest, 0.009) << object.name() << " " << seed;
+      EXPECT_LT(nearest, 1.25 * object.spacing()) << object.name() << " " << seed;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <utility>
@@ -29,13 +30,14 @@ class RootComponents;
 ///
 /// set_connect_first(true) adds a shortcut to Algorithm 1. It samples a partner for each new root,
 /// or several for each given start (SampleableRegion::try_sample_partner), and tries to connect the
-/// two at once. It also counts all
+/// two at once. The cheapest pair of the first kCompared starts comes first. It also counts all
 /// starts and goals as connected that are joined by any chain of connections (union-find over the
 /// roots).
 ///
 /// Repeatable for one seed if set_random_config is given (OMPL's samplers share a global seed).
 class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
  public:
+  static constexpr int kCompared = 16;  ///< starts
   using State = ompl::base::State;
   /// Projects a state onto the constraint; false if that fails. Must not change a state that is on
   /// it already.
@@ -83,13 +85,19 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   struct Meeting {  // two nodes, one of each forest, at the same state
     int start_node, goal_node;
   };
+  struct Pair {  // two roots
+    int start, goal;
+    double cost;
+  };
 
   void check_problem() const;
   void add_given_starts();
   bool can_add_root();
   int add_from_region(Forest& forest);
   bool connect_partners(const ompl::base::PlannerTerminationCondition& ptc);
-  bool connects_partner(const Forest& forest, int root, Meeting& meeting);
+  std::optional<Pair> add_partner(int start, double max_cost);
+  int start_for(const Forest& forest, int root);
+  bool is_solved_by(const Pair& pair);
   bool draw(const ompl::base::GoalSampleableRegion& region, State* state) const;
   int extend(Forest& forest, int from, const State* target);
   bool is_motion_valid(const State* start, const State* from, const State* to) const;
