@@ -10,7 +10,8 @@ import graspless
 from graspless import frames, geometry, perception, view
 
 
-def block(size, position, yaw=0.0):
+def block(size: list[float], position: list[float], yaw: float = 0.0) -> perception.Body:
+    """A box with its middle at `position`."""
     X_WB = frames.planar(position[0], position[1], yaw)
     X_WB[2, 3] = position[2]
     return perception.Body([geometry.PlacedShape(geometry.Box(size))], X_WB)
@@ -18,9 +19,7 @@ def block(size, position, yaw=0.0):
 
 table = block([0.7, 0.9, 0.04], [0.65, 0, -0.02])
 floor = block([6, 6, 0.02], [0.65, 0, -0.75])
-wall = block(
-    [0.02, 2.0, 1.6], [1.01, 0, 0.05]
-)  # behind the table: that edge is no edge to slide over
+wall = block([0.02, 2.0, 1.6], [1.01, 0, 0.05])  # nothing is slid over the edge before it
 things = [
     block([0.12, 0.08, 0.005], [0.5, 0.1, 0.0025], 0.4),
     block([0.06, 0.06, 0.12], [0.68, -0.18, 0.06], 0.8),
