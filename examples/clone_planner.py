@@ -94,6 +94,8 @@ def holds(env: PlanEnv, seed: int, policy: Policy | None) -> bool:
     return bool(info["is_success"])
 
 
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 env = PlanEnv("Tumble")
 policy = Policy(env.names, Path(sys.argv[1]))
 seeds = range(FIRST, FIRST + int(sys.argv[2]))

@@ -17,7 +17,8 @@ TASKS = {"slide": slide_tasks, "fingertip": fingertip_tasks.forceful_tasks, "cla
 
 @pytest.fixture(scope="module", params=TASKS)
 def document(request):
-    plan = graspless.plan(next(iter(TASKS[request.param](1))))
+    seed = 2 if request.param == "slide" else None  # a weak flexure is benign with the first seed
+    plan = graspless.plan(next(iter(TASKS[request.param](1))), seed=seed)
     assert graspless.check(plan) == []
     return json.loads(plan.to_json())
 

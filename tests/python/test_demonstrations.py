@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 
-from graspless import TaskError
+from graspless import TaskError, _data
 
 pytest.importorskip("gymnasium", reason="gymnasium is not installed (extra gym)")
 pytest.importorskip("pyarrow", reason="pyarrow is not installed (extra gym)")
@@ -181,3 +181,20 @@ def test_bad_input_is_told(tmp_path):
     with pytest.raises(TaskError, match="cannot be written"):
         demonstrate("Pick", tmp_path, 1)
     assert not list(tmp_path.iterdir())
+
+
+def test_the_example_learns_from_demonstrations(tmp_path):
+    script = _data.directory("examples") / "clone_planner.py"
+
+    def run(*arguments):
+        command = [sys.executable, str(script), *arguments]
+        return subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+
+    demonstrate("Tumble", tmp_path / "tumbles", 4, seed=1)
+    done = run("tumbles", "1")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "of 1 new tasks" in done.stdout
+    assert done.stdout.endswith("the planner 1\n")
+    helped = run()
+    assert helped.returncode == 1
+    assert "clone_planner.py tumbles 50" in helped.stderr

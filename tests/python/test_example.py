@@ -13,7 +13,7 @@ from graspless import _data, _examples, cli, files
 
 FOLDER = _data.directory("examples")
 TASKS = sorted(path.stem for path in FOLDER.glob("*.yaml"))
-SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
+SCRIPTS = sorted(path.name for path in FOLDER.glob("[0-9]*.py"))
 
 
 def test_there_are_five():

@@ -38,10 +38,10 @@ struct Found {
 };
 
 /// Holes and meridians in K_d, shortest first.
-Found look(const Eigen::Matrix3Xd& cloud, double d) {
+Found look(const Eigen::Matrix3Xd& cloud, double d, const std::vector<RayImage>& rays = {}) {
   LoopOptions options;
   options.max_edge_length = d;
-  const Loops loops = shortest_loops(cloud, options);
+  const Loops loops = shortest_loops(cloud, options, rays);
   std::vector<std::pair<Loop, bool>> all;
   for (const Loop& loop : loops.found) all.emplace_back(loop, false);
   for (const Loop& loop : loops.meridians) all.emplace_back(loop, true);
@@ -126,9 +126,11 @@ TEST(Meridians, ARingSeenFromOneSideKeepsItsLoop) {
   for (int i = 0; i < whole.cols(); ++i) {
     if (whole(2, i) > -0.005) seen.push_back(i);
   }
-  const Found found = look(whole(Eigen::all, seen), 0.022);
+  const Eigen::Matrix3Xd cloud = whole(Eigen::all, seen);
+  const Found found = look(cloud, 0.022, rays_from_viewpoints(cloud, Eigen::Vector3d(0, 0, 1)));
   ASSERT_EQ(found.is_meridian.size(), 1u);
   EXPECT_EQ(found.left(), 1);
+  EXPECT_TRUE(look(cloud, 0.022).is_meridian.empty());  // nobody knows where the camera was
 }
 
 TEST(Meridians, EachOfTwoThickRingsKeepsOneLoop) {
