@@ -52,6 +52,11 @@ def check_yaml(text: str, file: str, loader: Any) -> None:
             if nodes > MOST_NODES:
                 what = f"more than {MOST_NODES} values, counting each use of an alias"
                 raise TaskError(f"{where}{what}; clouds and meshes belong in files of their own")
+    except yaml.MarkedYAMLError as error:  # newer versions of libyaml have a limit of their own
+        if "nesting depth" not in str(error.problem) or error.problem_mark is None:
+            raise
+        where = f"{file}:{error.problem_mark.line + 1}: not valid YAML: "
+        raise TaskError(f"{where}nested deeper than {DEEPEST} levels") from None
     finally:
         events.dispose()
 
