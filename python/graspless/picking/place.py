@@ -66,14 +66,15 @@ class Target:
             raise TaskError(str(error)) from None
 
     @cached_property
-    def taken(self) -> list[tuple[str, Matrix]]:
-        """Other objects on the support, by name, with points of their outlines in S."""
+    def taken(self) -> list[tuple[str, Matrix, geometry.Polygon]]:
+        """Other objects on the support: names, points of their outlines, and outlines, in S."""
         X_SW = np.linalg.inv(self.support.X_WS)
-        return [
-            (other.name, _moved(_dense(np.asarray(other.outline)), X_SW @ other.X_WO))
+        outlines = [
+            (other.name, _moved(np.asarray(other.outline), X_SW @ other.X_WO))
             for other in self.wish.others
             if other.support == self.support.name
         ]
+        return [(name, _dense(ring), geometry.Polygon(ring)) for name, ring in outlines]
 
     @cached_property
     def ring(self) -> Matrix:
@@ -128,9 +129,11 @@ class Target:
             out = [p for p in ring if region.depth(p) < 0 and self.polygon.contains(p)]
             if out:
                 return 1, self._too_small()
-        for name, other in self.taken:
+        X_OS = np.asarray(np.linalg.inv(X_SO), dtype=float)
+        for name, other, polygon in self.taken:
             apart = np.linalg.norm(ring[:, None] - other[None], axis=2).min()
-            if apart < GAP or _is_in(ring[0], other) or _is_in(other[0], ring):
+            is_within = polygon.contains(ring[0])
+            if apart < GAP or is_within or self.wish.outline.contains(_moved(other[:1], X_OS)[0]):
                 near = f"'{name}' is there, or less than {1000 * GAP:.0f} mm away"
                 return 2, f"the place is taken: {near}"
         return 3, ""
@@ -269,15 +272,6 @@ def _at_edge(slide: Any) -> Matrix:
 def _moved(ring: Matrix, X: Matrix) -> Matrix:
     moved: Matrix = ring @ X[:2, :2].T + X[:2, 3]
     return moved
-
-
-def _is_in(p: Matrix, ring: Matrix) -> bool:
-    """True if a point lies in a polygon that does not pass through it."""
-    ahead = np.roll(ring, -1, axis=0)
-    crossing = (ring[:, 1] > p[1]) != (ahead[:, 1] > p[1])
-    a, b = ring[crossing], ahead[crossing]
-    x = a[:, 0] + (p[1] - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
-    return bool(np.count_nonzero(x > p[0]) % 2)
 
 
 def _dense(ring: Matrix) -> Matrix:
