@@ -159,6 +159,7 @@ class Bench:
             thread = threading.Thread(target=spin, args=(executor, self.is_over.is_set))
             thread.start()
             self.threads.append(thread)
+        self.results = {}
         self.plan_task = ActionClient(self.client, PlanTask, "plan_task")
         self.pick_object = ActionClient(self.client, PickObject, "pick_object")
         self.check_plan = self.client.create_client(CheckPlan, "check_plan")
@@ -218,13 +219,15 @@ class Bench:
         return future.result()
 
     def send(self, goal, feedback=None):
-        """Returns the handle of a goal."""
+        """Returns the handle of a goal, and asks for its result, which is kept for 10 s."""
         client = self.plan_task if isinstance(goal, PlanTask.Goal) else self.pick_object
-        return self.wait(client.send_goal_async(goal, feedback_callback=feedback))
+        handle = self.wait(client.send_goal_async(goal, feedback_callback=feedback))
+        self.results[bytes(handle.goal_id.uuid)] = handle.get_result_async()
+        return handle
 
     def result(self, handle):
         """Returns status and result of a goal."""
-        answer = self.wait(handle.get_result_async(), "result")
+        answer = self.wait(self.results[bytes(handle.goal_id.uuid)], "result")
         return answer.status, answer.result
 
     def do(self, goal, feedback=None):

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A node that finds nobody: no robot, no camera, no controllers. Each goal says what is missing."""
 
+import re
 import subprocess
 import sys
 import threading
 import time
+from contextlib import nullcontext
 
 import pytest
 import rclpy
@@ -17,7 +19,7 @@ from rig import TASK
 from sensor_msgs.msg import JointState
 
 from graspless import TaskError
-from graspless.ros import demo
+from graspless.ros import demo, settings
 from graspless.ros.demo import Transcript, parameters
 from graspless.ros.diagnostics import diagnostics_of
 from graspless.ros.node import GrasplessNode
@@ -171,3 +173,21 @@ def test_arguments_that_ros_would_ignore_are_refused():
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 2
     assert "ros: -p: unknown argument: those of ROS come after --ros-args" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("max_velocty", "parameter max_velocty: unknown; did you mean max_velocity?"),
+        ("arm.joint", "parameter arm.joint: unknown; did you mean arm.joints?"),
+        ("colour", ""),  # a warning: files of parameters can be for many nodes
+    ],
+)
+def test_a_misspelt_parameter_is_an_error(alone, name, reason):
+    given = {"controllers": ["arm"], "arm.joints": ["a"], name: 1.0}
+    overrides = [Parameter(each, value=value) for each, value in given.items()]
+    node = rclpy.create_node("misspelt", context=alone.context, parameter_overrides=overrides)
+    settings.declare(node)
+    with pytest.raises(TaskError, match=re.escape(reason)) if reason else nullcontext():
+        settings.read(node)
+    node.destroy_node()

@@ -16,8 +16,8 @@ from .results import Kept
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-_MANY = QoSProfile(depth=1000)  # by default the eleventh request at once is lost
-_KEPT = 60  # time of the node for which the result of a goal can be asked for [s]
+_MANY = QoSProfile(depth=100)  # by default the eleventh request at once is lost
+_KEPT = 10  # time of the node for which the result of a goal can be asked for [s]
 WHOLE = 2_000_000  # results that are kept with their motions, as messages [bytes]
 
 

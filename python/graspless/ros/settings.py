@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 from dataclasses import dataclass, field, fields
 from typing import Any
@@ -133,7 +134,20 @@ def read(node: Any) -> Settings:
                     f"{taken[joint]}, too"
                 )
             taken[joint] = controller.name
+    _warn_of_unknown(node)
     return Settings(**given, controllers=controllers)
+
+
+def _warn_of_unknown(node: Any) -> None:
+    """Warns of parameters that were given and are none. Raises TaskError if one is misspelt."""
+    known = [*node.get_parameters_by_prefix("")]
+    for name in node._parameter_overrides:  # rclpy tells them in no other way
+        if node.has_parameter(name) or name.startswith("qos_overrides."):
+            continue
+        close = difflib.get_close_matches(name, known, 1, 0.8)
+        if close:
+            raise TaskError(f"parameter {name}: unknown; did you mean {close[0]}?")
+        node.get_logger().warning(f"parameter {name}: unknown, and ignored")
 
 
 def _controller(node: Any, name: str) -> Controller:

@@ -21,22 +21,29 @@ from ..errors import TaskError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-OWN = (  # variables of a user who has configured Fast DDS
+_CONFIGURED = (  # variables of a user who has configured Fast DDS
     "FASTDDS_DEFAULT_PROFILES_FILE",
     "FASTRTPS_DEFAULT_PROFILES_FILE",
     "FASTDDS_BUILTIN_TRANSPORTS",
 )
+_RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
 
 
-def share_memory() -> None:
-    """Gives Fast DDS enough shared memory, unless the user has configured it.
+def use_sockets() -> None:
+    """Lets Fast DDS send by UDP alone, unless the user has configured it.
 
-    What is sent to a client that was killed stays in the sender's shared memory until the client
-    is given up. The default of 0.5 MB is full after a few results, and then no other client gets
-    any. Must be called before ROS is initialised.
+    In shared memory, what is sent to a client that was killed stays until the client is given up:
+    when 0.5 MB are full, nobody gets results any more. And the next client takes over the port of
+    a killed one, of which the sender learns seconds later: the answers until then are lost. Must be
+    called before ROS is initialised.
     """
-    if not any(os.environ.get(name) for name in OWN):
-        os.environ[OWN[0]] = str(Path(__file__).with_name("fastdds.xml"))
+    if any(os.environ.get(name) for name in _CONFIGURED):
+        return
+    if os.environ.get(_RANGE) == "LOCALHOST":  # for which ROS adds shared memory
+        os.environ[_RANGE] = "SYSTEM_DEFAULT"
+        os.environ[_CONFIGURED[0]] = str(Path(__file__).with_name("localhost.xml"))
+    else:
+        os.environ["FASTDDS_BUILTIN_TRANSPORTS"] = "UDPv4"
 
 
 def spin(executor: Any, is_over: Callable[[], bool] = lambda: False) -> None:
@@ -60,7 +67,7 @@ def run_node(arguments: Sequence[str]) -> bool:
     """
     from .node import GrasplessNode
 
-    share_memory()
+    use_sockets()
     return _run(GrasplessNode, arguments)
 
 
