@@ -59,52 +59,66 @@ std::vector<int> Candidates::instants(int arc) const {
 }
 
 void Candidates::reserve(std::size_t more) {
-  const std::size_t count = all_.size() + more;
-  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
-  all_.reserve(count);
-  index_.reserve(count);
-  arcs_.reserve(count * arcs);
-  for (auto* values : {&before_, &after_}) values->reserve(count * (arcs + 1));
+  all_.reserve(all_.size() + more);
+  index_.reserve(all_.size() + more);
 }
 
 int Candidates::open(const Placement& placement) {
   const auto [entry, is_new] = index_.emplace(placement, size());
-  if (!is_new) return entry->second;
-  const int c = size();
-  all_.push_back({placement});
-  const auto poses = static_cast<std::size_t>(graph_.num_poses());
-  before_.resize(before_.size() + poses);
-  after_.resize(after_.size() + poses);
-  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
-    arcs_.push_back(displacement(arc, placement) * graph_.options.samples_per_arc);
-  }
-  add_up(c);
-  return c;
+  if (is_new) all_.push_back({placement});
+  return entry->second;
 }
 
 /// Displacement of the finger that moves farthest, in a P-th of an arc; infinite where one is not
 /// clear.
 double Candidates::displacement(int arc, const Placement& placement) const {
   double reach = 0;
+  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
   for (int i = 0; i < graph_.num_fingers; ++i) {
-    reach = std::max(reach, displacements_[arc_index(placement[static_cast<std::size_t>(i)], arc)]);
+    const auto location = static_cast<std::size_t>(placement[static_cast<std::size_t>(i)]);
+    reach = std::max(reach, displacements_[location * arcs + static_cast<std::size_t>(arc)]);
   }
   return reach;
 }
 
 /// Sums costs without the bounds, which are taken up when the candidate is part of a best route.
-void Candidates::add_up(int c) {
+void Candidates::add_up(const double* cost, double* before, double* after) const {
   const int arcs = graph_.num_arcs();
-  double* before = &before_[sum_index(c, 0)];
-  double* after = &after_[sum_index(c, 0)];
-  const double* cost = &arcs_[arc_index(c, 0)];
   before[0] = after[arcs] = 0;
   for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
   for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
 }
 
-void Candidates::add_samples(int c) {
-  if (at(c).row >= 0) return;
+Candidates::Sums Candidates::sums(int c) const {
+  if (is_looked_at(c)) return {&before_[sum_index(c)], &after_[sum_index(c)]};
+  const auto poses = static_cast<std::size_t>(graph_.num_poses());
+  for (auto* values : {&some_arcs_, &some_before_, &some_after_}) values->resize(poses);
+  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
+    some_arcs_[static_cast<std::size_t>(arc)] =
+        displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
+  }
+  add_up(some_arcs_.data(), some_before_.data(), some_after_.data());
+  return {some_before_.data(), some_after_.data()};
+}
+
+Candidates::Reach Candidates::reach(int c) const {
+  Reach reach{kInfinity, c, graph_.num_arcs(), -1};
+  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
+    const double cost = displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
+    reach.least_arc = std::min(reach.least_arc, cost);
+    if (cost < kInfinity) continue;
+    reach.first_blocked = std::min(reach.first_blocked, arc);
+    reach.last_blocked = arc;
+  }
+  return reach;
+}
+
+void Candidates::look_at(int c) {
+  if (is_looked_at(c)) return;
+  sums(c);
+  arcs_.insert(arcs_.end(), some_arcs_.begin(), some_arcs_.end() - 1);  // one less than poses
+  before_.insert(before_.end(), some_before_.begin(), some_before_.end());
+  after_.insert(after_.end(), some_after_.begin(), some_after_.end());
   at(c).row = rows_++;
   z_.resize(z_.size() + instants_.size(), kInfinity);
   weight_.resize(z_.size(), 1.0);
@@ -151,11 +165,11 @@ bool Candidates::refresh(int c) {
 }
 
 bool Candidates::update(int c) {
-  add_samples(c);
+  look_at(c);
   bool changed = false;
   const int arcs = graph_.num_arcs();
-  double* before = &before_[sum_index(c, 0)];
-  double* after = &after_[sum_index(c, 0)];
+  double* before = &before_[sum_index(c)];
+  double* after = &after_[sum_index(c)];
   before[0] = after[arcs] = 0;
   int dead = arcs;  // the first arc that cannot be
   for (int arc = 0; arc < arcs; ++arc) {
@@ -174,6 +188,17 @@ bool Candidates::update(int c) {
   return changed;
 }
 
+void Candidates::refresh_all() {
+  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
+  arcs_.reserve(all_.size() * arcs);
+  for (auto* values : {&before_, &after_}) values->reserve(all_.size() * (arcs + 1));
+  for (int c = 0; c < size(); ++c) {
+    poll();
+    look_at(c);
+    refresh(c);
+  }
+}
+
 void Candidates::keep_inner_arcs() {
   keeps_inner_arcs_ = true;
   for (int c = 0; c < size(); ++c) {
@@ -184,7 +209,7 @@ void Candidates::keep_inner_arcs() {
 }
 
 bool Candidates::request(int c, int first_arc, int last_arc, std::vector<StabilityQuery>& queries) {
-  add_samples(c);
+  look_at(c);
   std::vector<int> open;
   bool any = false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
@@ -221,7 +246,7 @@ bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
 }
 
 void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& queries) {
-  add_samples(c);
+  look_at(c);
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
   known = Known::requested;

@@ -30,13 +30,32 @@ class Candidates {
   int size() const { return static_cast<int>(all_.size()); }
   const Placement& placement(int c) const { return at(c).placement; }
 
-  /// Cost of the arcs before a pose, or from a pose on; infinite when one is impossible.
-  double before(int c, int pose) const { return before_[sum_index(c, pose)]; }
-  double after(int c, int pose) const { return after_[sum_index(c, pose)]; }
+  /// Costs of the arcs before each pose, and from each pose on; infinite when one is impossible.
+  /// Valid until the next call of a function of this class.
+  struct Sums {
+    const double *before, *after;
+  };
+  Sums sums(int c) const;
+  double before(int c, int pose) const { return sums(c).before[pose]; }
+  double after(int c, int pose) const { return sums(c).after[pose]; }
+  /// Cost of an arc of a candidate that has been looked at.
   double arc(int c, int arc) const { return arcs_[arc_index(c, arc)]; }
+
+  /// The least displacement in an arc: no arc costs less. The first and the last that is not clear.
+  struct Reach {
+    double least_arc;
+    int candidate, first_blocked, last_blocked;
+    bool operator<(const Reach& other) const { return least_arc < other.least_arc; }
+  };
+  Reach reach(int c) const;
+
+  /// True once bounds have been taken up or samples requested. Until then a candidate costs its
+  /// displacement, and has no place in the tables.
+  bool is_looked_at(int c) const { return at(c).row >= 0; }
 
   /// Takes up new bounds. True if any cost has changed.
   bool refresh(int c);
+  void refresh_all();
   /// Keeps costs of arcs between impossible ones too, from now on.
   void keep_inner_arcs();
 
@@ -62,16 +81,15 @@ class Candidates {
     Placement placement;
     std::int64_t stamp = 0;
     int solved = 0;
-    int row = -1;  // of the tables of samples; -1 until it is looked at
+    int row = -1;  // of the tables; -1 until it is looked at
   };
   const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
   Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
-  std::size_t sum_index(int c, int pose) const {
-    return static_cast<std::size_t>(c) * static_cast<std::size_t>(graph_.num_poses()) +
-           static_cast<std::size_t>(pose);
+  std::size_t sum_index(int c) const {
+    return static_cast<std::size_t>(at(c).row) * static_cast<std::size_t>(graph_.num_poses());
   }
   std::size_t arc_index(int c, int arc) const {
-    return static_cast<std::size_t>(c) * static_cast<std::size_t>(graph_.num_arcs()) +
+    return static_cast<std::size_t>(at(c).row) * static_cast<std::size_t>(graph_.num_arcs()) +
            static_cast<std::size_t>(arc);
   }
   std::size_t slot_index(int c, int slot) const {
@@ -81,8 +99,8 @@ class Candidates {
     return slots_[static_cast<std::size_t>(arc * graph_.options.samples_per_arc + sample)];
   }
   double displacement(int arc, const Placement& placement) const;
-  void add_up(int c);
-  void add_samples(int c);
+  void add_up(const double* arcs, double* before, double* after) const;
+  void look_at(int c);
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
   void set_stability(int c, int slot, double z);
@@ -97,8 +115,9 @@ class Candidates {
   std::vector<double> z_;               // rows x slots
   std::vector<double> weight_;          // rows x slots: 1 + X_stab / z
   std::vector<Known> known_;            // rows x slots
-  std::vector<double> arcs_;            // candidates x arcs
-  std::vector<double> before_, after_;  // candidates x poses
+  std::vector<double> arcs_;            // rows x arcs
+  std::vector<double> before_, after_;  // rows x poses
+  mutable std::vector<double> some_arcs_, some_before_, some_after_;  // of one without a row
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_inner_arcs_ = false;
 };

@@ -53,12 +53,24 @@ class Hubs {
   bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
   void record(const StabilityQuery& query);
 
-  std::int64_t memory() const { return memory_; }  // of the neighbors
+  std::int64_t memory() const { return memory_; }  // of neighbors and least costs
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
  private:
   enum class Known : std::uint8_t { open, requested, stable, unstable };
+  /// The members that come to a pose, and go on from it, at the least cost, as last compared.
+  struct Least {
+    double before = std::numeric_limits<double>::infinity(), after = before;
+    int first = -1, second = -1;
+  };
+  Least* least(int hub) {
+    return &least_[static_cast<std::size_t>(hub) * static_cast<std::size_t>(graph_.num_poses())];
+  }
+  void compare(int hub, int c);
+  void compare_again(int hub, int pose);
+  const std::vector<Candidates::Reach>& ranked(int hub);
+  bool has_risen(const Least& least, int pose) const;
   int slot(int pose) const { return slots_[static_cast<std::size_t>(pose)]; }
   Known& known(int hub, int slot) {
     return known_[static_cast<std::size_t>(hub) * instants_.size() +
@@ -73,8 +85,10 @@ class Hubs {
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
   std::vector<std::vector<int>> members_;
-  std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
-  std::vector<Known> known_;                      // hubs x slots
+  std::vector<std::vector<Candidates::Reach>> ranked_;  // empty until they are asked for
+  std::vector<std::vector<Neighbor>> neighbors_;        // empty until they are asked for
+  std::vector<Known> known_;                            // hubs x slots
+  std::vector<Least> least_;                            // hubs x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
 };
 

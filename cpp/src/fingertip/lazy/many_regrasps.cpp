@@ -202,7 +202,7 @@ void list_all(LazyState& lazy) {
   for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
     open_all(lazy, clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc));
   }
-  for (int c = 0; c < lazy.candidates.size(); ++c, poll()) lazy.candidates.refresh(c);
+  lazy.candidates.refresh_all();
   lazy.hubs.link();
 }
 
