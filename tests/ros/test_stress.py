@@ -9,7 +9,6 @@ import contextlib
 import os
 import pathlib
 import random
-import signal
 import subprocess
 import sys
 import time
@@ -114,11 +113,11 @@ def memory(pid):
 
 def kill_a_client():
     """Starts a client, and kills it when its goals are under way; takes a second."""
-    client = subprocess.Popen([sys.executable, "-c", CLIENT, SLOW], stdout=subprocess.PIPE)
-    assert client.stdout.readline() == b"sent\n"
-    client.send_signal(signal.SIGKILL)
-    client.wait()
-    client.stdout.close()
+    command = [sys.executable, "-c", CLIENT, SLOW]
+    with subprocess.Popen(command, stdout=subprocess.PIPE) as client:
+        said = client.stdout.readline()
+        client.kill()
+    assert said == b"sent\n"
 
 
 @contextlib.contextmanager
@@ -154,18 +153,20 @@ VARIABLES = (
     "FASTDDS_BUILTIN_TRANSPORTS",
     "FASTDDS_DEFAULT_PROFILES_FILE",
     "FASTRTPS_DEFAULT_PROFILES_FILE",
+    "ROS_STATIC_PEERS",
 )
 
 
 @pytest.mark.parametrize(
     ("given", "expected"),
     [
-        ([None, None, None, None], [None, "UDPv4", None, None]),
-        (["SUBNET", "", None, None], ["SUBNET", "UDPv4", None, None]),
-        (["LOCALHOST", None, None, None], ["SYSTEM_DEFAULT", None, "localhost.xml", None]),
-        (["LOCALHOST", "SHM", None, None], ["LOCALHOST", "SHM", None, None]),
-        (["LOCALHOST", None, "mine.xml", None], ["LOCALHOST", None, "mine.xml", None]),
-        ([None, None, None, "mine.xml"], [None, None, None, "mine.xml"]),
+        ([None] * 5, [None, "UDPv4", None, None, None]),
+        (["SUBNET", "", None, None, None], ["SUBNET", "UDPv4", None, None, None]),
+        (["LOCALHOST", *[None] * 4], ["SYSTEM_DEFAULT", None, "localhost.xml", None, None]),
+        (["LOCALHOST", *[None] * 3, "10.0.0.2"], ["LOCALHOST", "UDPv4", None, None, "10.0.0.2"]),
+        (["LOCALHOST", "SHM", None, None, None], ["LOCALHOST", "SHM", None, None, None]),
+        (["LOCALHOST", None, "mine.xml", None, None], ["LOCALHOST", None, "mine.xml", None, None]),
+        ([None, None, None, "mine.xml", None], [None, None, None, "mine.xml", None]),
     ],
 )
 def test_the_node_speaks_udp_unless_the_user_has_configured_fast_dds(monkeypatch, given, expected):

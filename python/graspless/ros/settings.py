@@ -134,12 +134,12 @@ def read(node: Any) -> Settings:
                     f"{taken[joint]}, too"
                 )
             taken[joint] = controller.name
-    _warn_of_unknown(node)
+    _check_names(node)
     return Settings(**given, controllers=controllers)
 
 
-def _warn_of_unknown(node: Any) -> None:
-    """Warns of parameters that were given and are none. Raises TaskError if one is misspelt."""
+def _check_names(node: Any) -> None:
+    """Raises TaskError if a parameter is misspelt; warns of others that the node does not know."""
     known = [*node.get_parameters_by_prefix("")]
     for name in node._parameter_overrides:  # rclpy tells them in no other way
         if node.has_parameter(name) or name.startswith("qos_overrides."):

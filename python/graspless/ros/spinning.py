@@ -26,7 +26,7 @@ _CONFIGURED = (  # variables of a user who has configured Fast DDS
     "FASTRTPS_DEFAULT_PROFILES_FILE",
     "FASTDDS_BUILTIN_TRANSPORTS",
 )
-_RANGE = "ROS_AUTOMATIC_DISCOVERY_RANGE"
+_RANGE, _PEERS = "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS"
 
 
 def use_sockets() -> None:
@@ -39,7 +39,8 @@ def use_sockets() -> None:
     """
     if any(os.environ.get(name) for name in _CONFIGURED):
         return
-    if os.environ.get(_RANGE) == "LOCALHOST":  # for which ROS adds shared memory
+    # For LOCALHOST, ROS adds shared memory. Peers on other computers need its own settings.
+    if os.environ.get(_RANGE) == "LOCALHOST" and not os.environ.get(_PEERS):
         os.environ[_RANGE] = "SYSTEM_DEFAULT"
         os.environ[_CONFIGURED[0]] = str(Path(__file__).with_name("localhost.xml"))
     else:

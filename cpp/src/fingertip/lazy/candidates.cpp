@@ -81,30 +81,30 @@ double Candidates::displacement(int arc, const Placement& placement) const {
   return reach;
 }
 
-/// Sums costs without the bounds, which are taken up when the candidate is part of a best route.
-void Candidates::add_up(const double* cost, double* before, double* after) const {
-  const int arcs = graph_.num_arcs();
-  before[0] = after[arcs] = 0;
-  for (int arc = 0; arc < arcs; ++arc) before[arc + 1] = before[arc] + cost[arc];
-  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
+/// Without the bounds, which are taken up when the candidate is part of a best route.
+double Candidates::least_cost(int arc, int c) const {
+  return displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
 }
 
 Candidates::Sums Candidates::sums(int c) const {
   if (is_looked_at(c)) return {&before_[sum_index(c)], &after_[sum_index(c)]};
+  const int arcs = graph_.num_arcs();
   const auto poses = static_cast<std::size_t>(graph_.num_poses());
   for (auto* values : {&some_arcs_, &some_before_, &some_after_}) values->resize(poses);
-  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
-    some_arcs_[static_cast<std::size_t>(arc)] =
-        displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
+  double *cost = some_arcs_.data(), *before = some_before_.data(), *after = some_after_.data();
+  before[0] = after[arcs] = 0;
+  for (int arc = 0; arc < arcs; ++arc) {
+    cost[arc] = least_cost(arc, c);
+    before[arc + 1] = before[arc] + cost[arc];
   }
-  add_up(some_arcs_.data(), some_before_.data(), some_after_.data());
-  return {some_before_.data(), some_after_.data()};
+  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
+  return {before, after};
 }
 
 Candidates::Reach Candidates::reach(int c) const {
   Reach reach{kInfinity, c, graph_.num_arcs(), -1};
   for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
-    const double cost = displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
+    const double cost = least_cost(arc, c);
     reach.least_arc = std::min(reach.least_arc, cost);
     if (cost < kInfinity) continue;
     reach.first_blocked = std::min(reach.first_blocked, arc);

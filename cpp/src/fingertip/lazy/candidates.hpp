@@ -99,7 +99,7 @@ class Candidates {
     return slots_[static_cast<std::size_t>(arc * graph_.options.samples_per_arc + sample)];
   }
   double displacement(int arc, const Placement& placement) const;
-  void add_up(const double* arcs, double* before, double* after) const;
+  double least_cost(int arc, int c) const;
   void look_at(int c);
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
