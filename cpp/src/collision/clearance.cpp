@@ -26,10 +26,10 @@ double checked(double cell) {
 struct Clearance::Surface {
   explicit Surface(const geometry::Mesh& mesh)
       : triangles(std::make_shared<const ClearanceCells::Triangles>(surface_triangles(mesh))),
-        tree(*triangles) {}
+        tree(std::make_shared<const ClearanceTree>(*triangles)) {}
 
   std::shared_ptr<const ClearanceCells::Triangles> triangles;
-  ClearanceTree tree;
+  std::shared_ptr<const ClearanceTree> tree;
 };
 
 struct Clearance::Grid {
@@ -40,12 +40,13 @@ Clearance::Clearance(const geometry::Mesh& mesh, double cell) {
   geometry::validate(mesh, "mesh");
   checked(cell);
   surface_ = std::make_shared<const Surface>(mesh);
-  grid_ = std::make_unique<Grid>(Grid{{surface_->triangles, cell}});
+  grid_ = std::make_unique<Grid>(Grid{{surface_->triangles, surface_->tree, cell}});
 }
 
 Clearance::Clearance(const Clearance& other)
     : surface_(other.surface_),
-      grid_(std::make_unique<Grid>(Grid{{surface_->triangles, other.grid_->cells.cell()}})) {}
+      grid_(std::make_unique<Grid>(
+          Grid{{surface_->triangles, surface_->tree, other.grid_->cells.cell()}})) {}
 
 Clearance& Clearance::operator=(const Clearance& other) { return *this = Clearance(other); }
 
@@ -55,7 +56,7 @@ Clearance::~Clearance() = default;
 
 double Clearance::distance(const Eigen::Vector3d& point, double limit) const {
   require_finite(point);
-  return surface_->tree.distance(point, std::max(limit, 0.0));
+  return surface_->tree->distance(point, std::max(limit, 0.0));
 }
 
 Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {

@@ -15,12 +15,14 @@ namespace {
 constexpr int kFirstBits = 8;
 constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that the grid is cleared
 constexpr std::size_t kMaxRoots = 1 << 20;
-constexpr double kSmall = 0.1;  // of a cell's side
+constexpr double kSmall = 0.1;  // of a cell's side  // of a cell's side
 
 }  // namespace
 
-ClearanceCells::ClearanceCells(std::shared_ptr<const Triangles> triangles, double cell)
+ClearanceCells::ClearanceCells(std::shared_ptr<const Triangles> triangles,
+                               std::shared_ptr<const ClearanceTree> tree, double cell)
     : triangles_(std::move(triangles)),
+      tree_(std::move(tree)),
       all_(triangles_->size()),
       cell_(cell),
       root_(cell * std::pow(kParts, kCellLevel)),

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,7 @@
 
 #include "graspless/collision/clearance.hpp"
 
+#include "collision/clearance_tree.hpp"
 #include "collision/clearance_triangles.hpp"
 
 namespace graspless::collision {
@@ -26,7 +28,8 @@ class ClearanceCells {
  public:
   using Triangles = std::vector<SurfaceTriangle>;
 
-  ClearanceCells(std::shared_ptr<const Triangles> triangles, double cell);
+  ClearanceCells(std::shared_ptr<const Triangles> triangles,
+                 std::shared_ptr<const ClearanceTree> tree, double cell);
 
   double cell() const { return cell_; }
   /// True if the point is near enough to the origin for cells to have numbers there.
@@ -58,6 +61,7 @@ class ClearanceCells {
   static constexpr double kEnough =
       0.3;  // margin beyond the threshold, in units of a cell's uncertainty
   static constexpr double kMostRoots = 1 << 20;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kRounding = 1e-7;  // relative error of a distance in single precision
   // For a cube of side 1: half its diagonal, and the largest distance of its centre from the centre
   // of the cube that contains it.
@@ -94,6 +98,7 @@ class ClearanceCells {
   void grow();
 
   std::shared_ptr<const Triangles> triangles_;
+  std::shared_ptr<const ClearanceTree> tree_;
   List all_;  // triangles of a root cell
   double cell_, root_, per_root_;
   std::vector<Slot> slots_;  // a power of two, at most half full
@@ -118,8 +123,10 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
   for (int level = 0;; ++level) {
     const Eigen::Vector3d from_middle = side * (within.array() - 0.5).matrix();
     if (cell->distance < 0) {
+      const Eigen::Vector3d middle = point - from_middle;
       cell->distance =
-          static_cast<float>(measure(point - from_middle, kMostOffset * side, *nearest));
+          static_cast<float>(level < kCellLevel ? tree_->distance(middle, kInfinity)
+                                                : measure(middle, kMostOffset * side, *nearest));
     }
     const auto distance = static_cast<double>(cell->distance);
     const double offset = from_middle.norm() + kRounding * distance;

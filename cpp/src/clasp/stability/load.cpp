@@ -11,6 +11,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "graspless/watch.hpp"
 
@@ -21,12 +22,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using mechanics::Vector6d;
 
-constexpr double kMetre = 1000;      // [mm]
 constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
-constexpr double kReach = 0.025;     // a point farther from a shape never meets it [m]
-constexpr double kRound = 0.0005;    // radius by which edges of links are rounded [m]
-constexpr double kArm = 20;          // length that makes lengths of angles [mm]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
 constexpr int kMoves = 6;
 
@@ -76,7 +73,7 @@ LoadTester::LoadTester(const Problem& problem)
   for (const robot::LinkShape& shape : robot.shapes()) bodies_.push_back(body_of(shape));
 }
 
-LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
+Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
   Posture hand;
   hand.center_W = center_W;
   problem_.robot.forward(q, hand.X_WL);
@@ -92,7 +89,7 @@ LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& cente
   for (std::size_t link = 0; link < hand.X_WL.size(); ++link) {
     problem_.robot.jacobian(static_cast<int>(link), hand.X_WL, J);
     for (Eigen::Index j = 0; j < directions_.size(); ++j) {
-      const Vector6d velocity = ways[j] * J.col(joints_[static_cast<std::size_t>(j)]);
+      const Vector6d velocity = ways[j] * units_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
       const Vector3d spin = velocity.tail<3>();
       hand.twists[link].col(j) << velocity.head<3>() - spin.cross(hand.X_WL[link].translation()),
           spin;
@@ -101,23 +98,28 @@ LoadTester::Posture LoadTester::posture(const VectorXd& q, const Vector3d& cente
   return hand;
 }
 
-std::vector<LoadTester::Pair> LoadTester::pairs(const Posture& hand, double reach) const {
+/// Points of the object's surface near bodies of the hand.
+NearPoints LoadTester::near_points(const Posture& hand, double reach) const {
   const geometry::Mesh& surface = problem_.object.surface();
   const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
   const auto in_link = [&](const Vector3d& p, const Body& body) -> Vector3d {
     return hand.X_LW[static_cast<std::size_t>(body.link)] * p;
   };
-  std::map<std::array<int, 4>, Pair> nearest;  // of each cell of space, for each body
+  struct Nearest {
+    Vector3d p_W;
+    double distance;
+  };
+  std::map<std::array<int, 4>, Nearest> nearest;  // for each body, of each cell of space
   const auto add = [&](const Vector3d& p, std::size_t i, double at_least) {
     if (at_least > kReach) return;
     const Eigen::Vector3i cell = (p / kCellSize).array().floor().cast<int>();
-    const std::array key{cell.x(), cell.y(), cell.z(), static_cast<int>(i)};
+    const std::array key{static_cast<int>(i), cell.x(), cell.y(), cell.z()};
     const auto former = nearest.find(key);
     if (former != nearest.end() && at_least >= former->second.distance) return;
     const double distance = bodies_[i].distance(in_link(p, bodies_[i]), kReach);
     if (distance > kReach) return;
     if (former == nearest.end() || distance < former->second.distance)
-      nearest.insert_or_assign(key, Pair{p, i, distance, p});
+      nearest.insert_or_assign(key, Nearest{p, distance});
   };
   std::vector<std::pair<std::size_t, double>> near;  // bodies of a triangle, with their distances
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
@@ -137,64 +139,39 @@ std::vector<LoadTester::Pair> LoadTester::pairs(const Posture& hand, double reac
       for (const auto& [body, distance] : near) add(p, body, distance - (p - facet.center).norm());
     });
   }
-  std::vector<Pair> found;
-  for (const auto& [key, pair] : nearest) found.push_back(pair);
-  return found;
-}
-
-/// Contacts that a step of the object may close.
-std::vector<LoadContact> LoadTester::contacts(std::vector<Pair>& pairs,
-                                              const Eigen::Isometry3d& moved,
-                                              const Posture& hand) const {
-  std::vector<LoadContact> found;
-  found.reserve(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Pair& pair = pairs[i];
-    const Vector3d p = moved * pair.p_W;
-    const double turned = (p - hand.center_W).norm() * kMetre / kArm;
-    const double window = kRound + kMove / kMetre * std::sqrt(3) * (1 + turned);
-    if (pair.distance - (p - pair.measured_W).norm() > window) continue;
-    const Body& body = bodies_[pair.body];
-    const Vector3d p_L = hand.X_LW[static_cast<std::size_t>(body.link)] * p;
-    pair.distance = std::min(body.distance(p_L, kReach), kReach);
-    pair.measured_W = p;
-    if (pair.distance > window) continue;
-    found.push_back(contact(p, body, pair.distance, hand));
-    found.back().point = i;
-    found.back().gap = kMetre * std::max(0.0, pair.distance - kRound);
+  Eigen::Matrix3Xd points_W(3, static_cast<Eigen::Index>(nearest.size()));
+  Eigen::ArrayXd distances(points_W.cols());
+  std::vector<NearPoints::Range> ranges;
+  Eigen::Index count = 0;
+  for (const auto& [key, point] : nearest) {
+    const auto body = static_cast<std::size_t>(key.front());
+    if (ranges.empty() || ranges.back().body != body) ranges.push_back({body, count, 0});
+    ++ranges.back().size;
+    points_W.col(count) = point.p_W;
+    distances[count++] = point.distance;
   }
-  return found;
+  return {points_W, std::move(ranges), std::move(distances), Points(points_W)};
 }
 
-/// Contact of a point with a body; its gap [m] is for the caller to set.
-LoadContact LoadTester::contact(const Vector3d& p_W, const Body& body, double gap,
-                                const Posture& hand) const {
-  const auto link = static_cast<std::size_t>(body.link);
-  const Vector3d n_W =
-      hand.X_WL[link].linear() * gradient(body.distance, hand.X_LW[link] * p_W, gap);
-  Vector6d wrench_W;  // of a unit force along the normal, about W's origin
-  wrench_W << n_W, p_W.cross(n_W);
-  LoadContact contact;
-  contact.row << -n_W, -(p_W - hand.center_W).cross(n_W) * kMetre / kArm;
-  contact.opens.resize(units_.size());
-  for (Eigen::Index j = 0; j < units_.size(); ++j)
-    contact.opens[j] = -units_[j] * wrench_W.dot(hand.twists[link].col(j));
-  return contact;
-}
-
-LoadEffort LoadTester::effort_of(const Vector6d& load, std::vector<Pair> pairs,
-                                 std::vector<LoadContact> contacts_now, const Posture& hand) const {
+LoadEffort LoadTester::effort_of(const Vector6d& load, const NearPoints& points,
+                                 PosedContacts& first, const Posture& hand) const {
   LoadStepper stepper(limits_);
+  NearPoints measured = points;
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   LoadEffort most;
   for (int i = 0; i < kMoves; ++i) {
     poll();
-    if (i > 0) contacts_now = contacts(pairs, moved, hand);
     const Vector3d mean_W = moved * (problem_.X_WO * mean_O_);
     Vector6d wrench = load;  // about the hand's centre
     wrench.tail<3>() += (mean_W - hand.center_W).cross(load.head<3>());
     wrench.tail<3>() *= kMetre / kArm;
-    const LoadStep next = stepper.step(wrench, contacts_now);
+    LoadStep next;
+    if (i == 0) {
+      next = stepper.step(wrench, first);
+    } else {
+      PosedContacts contacts(measured, moved, bodies_, hand);
+      next = stepper.step(wrench, contacts);
+    }
     if (next.effort > most.effort)
       most = {next.effort, next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
     moved = motion(next.move, hand.center_W) * moved;
@@ -207,13 +184,13 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
                               double force, double torque, double enough) const {
   if (force == 0 && torque == 0) return {};
   const Posture hand = posture(q, center_W);
-  std::vector<Pair> near = pairs(hand, reach + kReach);
-  const auto first = contacts(near, Eigen::Isometry3d::Identity(), hand);  // of all loads
+  NearPoints points = near_points(hand, reach + kReach);
+  PosedContacts first(points, Eigen::Isometry3d::Identity(), bodies_, hand);  // of all loads
   const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
   const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);
   LoadEffort most;
   for (Eigen::Index i = 0; i < loads.cols() && most.effort <= enough; ++i) {
-    LoadEffort found = effort_of(loads.col(i), near, first, hand);
+    LoadEffort found = effort_of(loads.col(i), points, first, hand);
     found.effort *= kSudden;
     if (found.effort > most.effort) most = found;
   }

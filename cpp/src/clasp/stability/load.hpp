@@ -12,7 +12,7 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include "clasp/stability/distance.hpp"
-#include "clasp/stability/load_step.hpp"
+#include "clasp/stability/load_contacts.hpp"
 
 namespace graspless::clasp {
 
@@ -43,28 +43,10 @@ class LoadTester {
                     double enough = std::numeric_limits<double>::infinity()) const;
 
  private:
-  /// A point of the object, and a body that it may touch.
-  struct Pair {
-    Eigen::Vector3d p_W;
-    std::size_t body;
-    double distance;             // or a lower bound, when it was last measured [m]
-    Eigen::Vector3d measured_W;  // where the point was then
-  };
-  /// The hand at one configuration.
-  struct Posture {
-    robot::Poses X_WL, X_LW;                   // of each link
-    std::vector<mechanics::Matrix6Xd> twists;  // of each link by each joint, at W's origin
-    Eigen::Vector3d center_W;                  // of the finger curves
-  };
-
   Posture posture(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W) const;
-  std::vector<Pair> pairs(const Posture& hand, double reach) const;
-  std::vector<LoadContact> contacts(std::vector<Pair>& pairs, const Eigen::Isometry3d& moved,
-                                    const Posture& hand) const;
-  LoadContact contact(const Eigen::Vector3d& p_W, const Body& body, double gap,
-                      const Posture& hand) const;
-  LoadEffort effort_of(const mechanics::Vector6d& load, std::vector<Pair> pairs,
-                       std::vector<LoadContact> contacts_now, const Posture& hand) const;
+  NearPoints near_points(const Posture& hand, double reach) const;
+  LoadEffort effort_of(const mechanics::Vector6d& load, const NearPoints& points,
+                       PosedContacts& first, const Posture& hand) const;
 
   Problem problem_;
   std::vector<Body> bodies_;

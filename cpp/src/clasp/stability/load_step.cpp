@@ -9,6 +9,7 @@
 #include "clasp/stability/load_step.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "mechanics/lp/program.hpp"
@@ -46,17 +47,19 @@ mechanics::LinearProgram program(const Vector6d& load, const Contacts& contacts,
 }
 
 /// The contacts not in `known` that a move passes most, at most kAdded of them.
-Contacts passed(const std::vector<LoadContact>& contacts, const Vector6d& move,
-                const VectorXd& yield, const std::set<std::size_t>& known) {
-  std::vector<std::pair<double, const LoadContact*>> found;
-  for (const LoadContact& contact : contacts) {
-    const double beyond = contact.row.dot(move) - contact.gap - contact.opens.dot(yield);
-    if (beyond > kPassed && known.count(contact.point) == 0) found.emplace_back(-beyond, &contact);
+Contacts passed(LoadContacts& contacts, const Vector6d& move, const VectorXd& yield,
+                const std::set<Eigen::Index>& known) {
+  std::vector<std::tuple<double, Eigen::Index, const LoadContact*>> found;
+  for (const LoadContact* contact : contacts.near(move, yield)) {
+    const double beyond = contact->row.dot(move) - contact->gap - contact->opens.dot(yield);
+    if (beyond > kPassed && known.count(contact->point) == 0)
+      found.emplace_back(-beyond, contact->point, contact);
   }
   const auto count = std::min(kAdded, static_cast<std::ptrdiff_t>(found.size()));
   std::partial_sort(found.begin(), found.begin() + count, found.end());
   Contacts most;
-  for (auto it = found.begin(); it != found.begin() + count; ++it) most.push_back(it->second);
+  for (auto it = found.begin(); it != found.begin() + count; ++it)
+    most.push_back(std::get<const LoadContact*>(*it));
   return most;
 }
 
@@ -69,10 +72,10 @@ Eigen::Index most_yielding(const VectorXd& yield, const VectorXd& limits) {
 
 }  // namespace
 
-LoadStep LoadStepper::step(const Vector6d& load, const std::vector<LoadContact>& contacts) {
+LoadStep LoadStepper::step(const Vector6d& load, LoadContacts& contacts) {
   Contacts used;
-  for (const LoadContact& contact : contacts) {
-    if (points_.count(contact.point) > 0) used.push_back(&contact);
+  for (const Eigen::Index point : points_) {
+    if (const LoadContact* contact = contacts.at(point)) used.push_back(contact);
   }
   while (true) {
     const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_));

@@ -5,7 +5,6 @@
 // hand that may yield.
 #pragma once
 
-#include <cstddef>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,10 +19,22 @@ constexpr double kMove = 2;  ///< largest step in a coordinate [mm]
 
 /// Constraint row . move <= gap + opens . yield. Lengths are in mm.
 struct LoadContact {
-  std::size_t point;  ///< identifies the contact in all steps under one load
+  Eigen::Index point;  ///< identifies the contact in all steps under one load
   mechanics::Vector6d row;
   Eigen::VectorXd opens;  ///< how far the contact retreats for each joint
   double gap;
+};
+
+/// Contacts of the object at one pose, found when they are needed.
+class LoadContacts {
+ public:
+  virtual ~LoadContacts() = default;
+  /// Contact of a point; null if it has none.
+  virtual const LoadContact* at(Eigen::Index point) = 0;
+  /// All contacts that a move passes if joints yield, and perhaps others, in the order of the
+  /// points.
+  virtual std::vector<const LoadContact*> near(const mechanics::Vector6d& move,
+                                               const Eigen::VectorXd& yield) = 0;
 };
 
 /// A motion of the object that is stopped by contacts, and the effort that it demands of the hand.
@@ -41,11 +52,11 @@ class LoadStepper {
   /// `limits`: of the efforts of the joints, in the units of LoadContact::opens.
   explicit LoadStepper(Eigen::VectorXd limits) : limits_(std::move(limits)) {}
 
-  LoadStep step(const mechanics::Vector6d& load, const std::vector<LoadContact>& contacts);
+  LoadStep step(const mechanics::Vector6d& load, LoadContacts& contacts);
 
  private:
   Eigen::VectorXd limits_;
-  std::set<std::size_t> points_;  // of contacts that were in a program
+  std::set<Eigen::Index> points_;  // of contacts that were in a program
 };
 
 }  // namespace graspless::clasp

@@ -7,9 +7,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "graspless/watch.hpp"
 
@@ -37,6 +38,25 @@ void validate_bounds(const std::vector<double>& lower, const std::vector<double>
   }
 }
 
+void validate_entries(const LinearProgram& lp) {
+  const auto refuse = [](int row, int column, const std::string& what) {
+    throw std::invalid_argument("entry (" + std::to_string(row) + ", " + std::to_string(column) +
+                                ") must " + what);
+  };
+  std::vector<std::pair<int, int>> places;
+  places.reserve(lp.entries.size());
+  for (const auto& entry : lp.entries) {
+    const bool is_inside = entry.row() >= 0 && entry.row() < lp.num_rows() && entry.col() >= 0 &&
+                           entry.col() < lp.num_variables();
+    if (!is_inside) refuse(entry.row(), entry.col(), "lie in the matrix");
+    if (!std::isfinite(entry.value())) refuse(entry.row(), entry.col(), "be finite");
+    places.emplace_back(entry.col(), entry.row());
+  }
+  std::sort(places.begin(), places.end());
+  const auto twice = std::adjacent_find(places.begin(), places.end());
+  if (twice != places.end()) refuse(twice->second, twice->first, "be given once");
+}
+
 void validate(const LinearProgram& lp) {
   validate_bounds(lp.lower, lp.upper, "variable");
   validate_bounds(lp.row_lower, lp.row_upper, "row");
@@ -44,19 +64,7 @@ void validate(const LinearProgram& lp) {
     if (std::isfinite(lp.objective[j])) continue;
     throw std::invalid_argument("objective of variable " + std::to_string(j) + " must be finite");
   }
-  std::set<std::pair<int, int>> seen;
-  for (const auto& entry : lp.entries) {
-    const std::string where =
-        "entry (" + std::to_string(entry.row()) + ", " + std::to_string(entry.col()) + ")";
-    if (entry.row() < 0 || entry.row() >= lp.num_rows() || entry.col() < 0 ||
-        entry.col() >= lp.num_variables()) {
-      throw std::invalid_argument(where + " must lie in the matrix");
-    }
-    if (!std::isfinite(entry.value())) throw std::invalid_argument(where + " must be finite");
-    if (!seen.emplace(entry.row(), entry.col()).second) {
-      throw std::invalid_argument(where + " must be given once");
-    }
-  }
+  validate_entries(lp);
 }
 
 double error(const LpSolution& solution) {

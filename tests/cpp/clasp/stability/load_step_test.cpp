@@ -3,6 +3,7 @@
 #include "clasp/stability/load_step.hpp"
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -33,10 +34,26 @@ mechanics::LpSolution oracle(const Vector6d& load, const std::vector<LoadContact
   return mechanics::solve_lp(lp);
 }
 
-std::vector<LoadContact> random_contacts(std::size_t count, int joints, std::mt19937_64& rng) {
+/// Contacts that are all known.
+struct Listed : LoadContacts {
+  explicit Listed(const std::vector<LoadContact>& contacts) {
+    for (const LoadContact& contact : contacts) of_point[contact.point] = &contact;
+  }
+  const LoadContact* at(Eigen::Index point) override { return of_point.at(point); }
+  std::vector<const LoadContact*> near(const Vector6d& /*move*/,
+                                       const VectorXd& /*yield*/) override {
+    std::vector<const LoadContact*> all;
+    for (const auto& [point, contact] : of_point) all.push_back(contact);
+    return all;
+  }
+
+  std::map<Eigen::Index, const LoadContact*> of_point;
+};
+
+std::vector<LoadContact> random_contacts(Eigen::Index count, int joints, std::mt19937_64& rng) {
   std::uniform_real_distribution<double> side(-1, 1);
   std::vector<LoadContact> contacts;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (Eigen::Index i = 0; i < count; ++i) {
     const Vector6d row = Vector6d::NullaryExpr([&] { return side(rng); });
     const VectorXd opens = VectorXd::NullaryExpr(joints, [&] { return side(rng) + 0.6; });
     contacts.push_back({i, row.normalized(), opens, std::max(0.0, side(rng))});
@@ -52,10 +69,11 @@ TEST(LoadStepper, FindsTheStepForAllContacts) {
     const int joints = 1 + sample % 3;
     const VectorXd limits = VectorXd::Constant(joints, 0.5 + sample % 7);
     LoadStepper stepper(limits);
-    auto contacts = random_contacts(static_cast<std::size_t>(sample), joints, rng);
+    auto contacts = random_contacts(sample, joints, rng);
     const Vector6d load = Vector6d::NullaryExpr([&] { return 5 * side(rng); });
     for (int step = 0; step < 3; ++step) {
-      const LoadStep found = stepper.step(load, contacts);
+      Listed listed(contacts);
+      const LoadStep found = stepper.step(load, listed);
       const mechanics::LpSolution expected = oracle(load, contacts, limits);
       ASSERT_EQ(expected.status, mechanics::LpStatus::optimal);
       EXPECT_NEAR(load.dot(found.move), load.dot(expected.x.head<6>()), 1e-5);
@@ -72,7 +90,8 @@ TEST(LoadStepper, FindsTheStepForAllContacts) {
 
 TEST(LoadStepper, MovesFreelyWithoutContacts) {
   LoadStepper stepper(VectorXd::Ones(1));
-  const LoadStep step = stepper.step(Vector6d::Unit(2), {});
+  Listed none({});
+  const LoadStep step = stepper.step(Vector6d::Unit(2), none);
   EXPECT_DOUBLE_EQ(step.move[2], kMove);
   EXPECT_EQ(step.effort, 0);
 }
