@@ -37,7 +37,8 @@ Examination::Examination(const Problem& problem, const Plan& plan, const Options
       same_length_(1e-6 * problem.object.size()),
       same_force_(1e-6 * std::max(problem.object.mass() * problem.gravity_W.norm(),
                                   problem.fingers.max_normal_force)),
-      wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())) {}
+      wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())),
+      stabilities_(options.disturbance_directions) {}
 
 /// Runs one part of the examination. An exception is a fault: what a kernel cannot decide is not
 /// proven.

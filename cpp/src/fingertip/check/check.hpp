@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graspless/fingertip/fingertip.hpp"
@@ -12,6 +13,8 @@
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
 #include "graspless/mechanics/withstands.hpp"
+
+#include "mechanics/lp/program.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
 /// and the contract in fingertip.hpp, so that a mistake of the search cannot hide here. Of this
@@ -44,15 +47,47 @@ using End = double mechanics::FrictionInterval::*;
 /// The contacts of an instant with friction at these ends.
 mechanics::ContactSet with_friction(const Instant& instant, End slide, End stick, double fingers);
 
-/// Problem (6) with f_com fixed: the least over the directions l_d of the largest z with z l_d in
-/// balance; 0 without an equilibrium.
-double stability_at(const Instant& instant, const mechanics::Matrix6Xd& directions);
+/// Problem (6) with f_com fixed, without l_d. Column 0 is z, the next ones are k_env, then k_rob.
+/// Rows 0 ... 5:
+///   z l_d - R^1/2 (W_env C_env k_env + W_rob C_rob k_rob) = R^1/2 Q_known;
+/// then one for each finger: N^T C_rob k_rob, at most f_max or equal to f_com.
+mechanics::LinearProgram balance(const Instant& instant);
 
 /// Margin of given finger forces: the largest t such that some contact forces complete them to an
 /// equilibrium (residual at most `tolerance` [N, scaled]) with every cone coefficient, fingers'
 /// too, at least t. Empty if there is none with t >= 0, but for the tolerance.
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
                                 double tolerance);
+
+// stability.cpp
+
+/// Solves Problem (6) with f_com fixed. Mostly the same forces carry the largest z of a direction
+/// at the next instant. A direction in which they carry more than the least z so far is not solved.
+class Stabilities {
+ public:
+  explicit Stabilities(mechanics::Matrix6Xd directions)
+      : directions_(std::move(directions)),
+        supports_(static_cast<std::size_t>(directions_.cols())) {}
+
+  /// The least over the directions l_d of the largest z with z l_d in balance; 0 without an
+  /// equilibrium.
+  double least(const Instant& instant);
+
+ private:
+  /// Columns of balance() that are not 0 at an optimum, and rows that are at a bound.
+  struct Support {
+    std::vector<int> columns, rows;
+  };
+
+  static Support support_of(const Eigen::VectorXd& x, const mechanics::LinearProgram& lp,
+                            const Eigen::MatrixXd& A);
+  static bool holds(const Support& support, const mechanics::LinearProgram& lp,
+                    const Eigen::MatrixXd& A, double z);
+
+  mechanics::Matrix6Xd directions_;
+  std::vector<Support> supports_;  // of each direction, at the last instant that was solved
+  Eigen::Index weakest_ = 0;       // direction of the last instant
+};
 
 // withstands.cpp
 
@@ -139,7 +174,7 @@ class Examination {
   void check_mechanics(std::size_t segment, std::size_t row);
   std::string find_instant(std::size_t segment, std::size_t row, Instant& instant) const;
   const Verdict& judged(const Instant& instant);
-  Verdict judge(const Instant& instant) const;
+  Verdict judge(const Instant& instant);
   void check_nominal(std::size_t segment, std::size_t row, const Instant& instant);
   mechanics::Promise promise_of(const Instant& instant,
                                 const mechanics::Equilibrium& nominal) const;
@@ -155,6 +190,7 @@ class Examination {
   double same_length_;  // [m]
   double same_force_;   // [N]
   mechanics::Matrix6d wrench_scale_;
+  Stabilities stabilities_;
   std::vector<Verdict> verdicts_;  // of the instants seen so far
   Faults faults_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fingertip/check/check.hpp"
-#include "mechanics/lp/program.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {
@@ -75,30 +74,6 @@ int add_columns(mechanics::LinearProgram& lp, const Matrix6Xd& wrenches) {
   return first;
 }
 
-/// Column 0 is z, the next ones k_env, then k_rob. Rows 0 ... 5:
-///   z l_d - R^1/2 (W_env C_env k_env + W_rob C_rob k_rob) = R^1/2 Q_known;
-/// then one a finger: N^T C_rob k_rob, at most f_max or equal to f_com.
-mechanics::LinearProgram balance(const Instant& instant, const Vector6d& direction) {
-  const mechanics::ContactSet& set = instant.set;
-  mechanics::LinearProgram lp;
-  lp.add_variable(0, kInfinity, 1);
-  const Vector6d known = set.wrench_scale * set.known_wrench_O;
-  for (int row = 0; row < 6; ++row) lp.add_row(known[row], known[row]);
-  lp.set_block(0, 0, direction);
-  add_columns(lp, -environment(set));
-  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    const mechanics::Finger& finger = set.fingers[i];
-    const Eigen::Matrix3Xd cone = edges(finger, set.cone_edges);
-    const double commanded = instant.commanded_forces[static_cast<Eigen::Index>(i)];
-    const int row = instant.modes[i] == FingerMode::force
-                        ? lp.add_row(commanded, commanded)
-                        : lp.add_row(-kInfinity, finger.max_normal_force);
-    const int first = add_columns(lp, -wrenches(set, finger.p_OC, cone));
-    lp.set_block(row, first, finger.n_O.transpose() * cone);
-  }
-  return lp;
-}
-
 }  // namespace
 
 bool is_near(const Instant& a, const Instant& b, double length, double force) {
@@ -126,14 +101,24 @@ mechanics::ContactSet with_friction(const Instant& instant, End slide, End stick
   return set;
 }
 
-double stability_at(const Instant& instant, const Matrix6Xd& directions) {
-  double z = kInfinity;
-  for (Eigen::Index d = 0; d < directions.cols() && z > 0; ++d) {
-    const mechanics::LpSolution found = mechanics::solve_lp(balance(instant, directions.col(d)));
-    if (found.status == mechanics::LpStatus::infeasible) return 0;
-    z = std::min(z, found.objective);
+mechanics::LinearProgram balance(const Instant& instant) {
+  const mechanics::ContactSet& set = instant.set;
+  mechanics::LinearProgram lp;
+  lp.add_variable(0, kInfinity, 1);
+  const Vector6d known = set.wrench_scale * set.known_wrench_O;
+  for (int row = 0; row < 6; ++row) lp.add_row(known[row], known[row]);
+  add_columns(lp, -environment(set));
+  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
+    const mechanics::Finger& finger = set.fingers[i];
+    const Eigen::Matrix3Xd cone = edges(finger, set.cone_edges);
+    const double commanded = instant.commanded_forces[static_cast<Eigen::Index>(i)];
+    const int row = instant.modes[i] == FingerMode::force
+                        ? lp.add_row(commanded, commanded)
+                        : lp.add_row(-kInfinity, finger.max_normal_force);
+    const int first = add_columns(lp, -wrenches(set, finger.p_OC, cone));
+    lp.set_block(row, first, finger.n_O.transpose() * cone);
   }
-  return z;
+  return lp;
 }
 
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,

@@ -106,13 +106,13 @@ const Verdict& Examination::judged(const Instant& instant) {
   return verdicts_.back();
 }
 
-Verdict Examination::judge(const Instant& instant) const {
+Verdict Examination::judge(const Instant& instant) {
   const mechanics::Matrix6Xd& directions = options_.disturbance_directions;
   const FrictionInterval& fingers = problem_.fingers.friction;
   const End lower = &FrictionInterval::lower, upper = &FrictionInterval::upper;
   Verdict verdict;
   verdict.instant = instant;
-  verdict.stability = stability_at(instant, directions);
+  verdict.stability = stabilities_.least(instant);
   const auto cannot_jam = [&](End slide) {
     return mechanics::internal_force_is_bounded(with_friction(instant, slide, upper, fingers.upper),
                                                 instant.modes, mechanics::Engine::reference);
@@ -122,7 +122,7 @@ Verdict Examination::judge(const Instant& instant) const {
     // A wider cone can only help a contact that sticks. It turns the force of one that slides.
     Instant turned = instant;
     turned.set = with_friction(instant, upper, lower, fingers.lower);
-    verdict.stability = std::min(verdict.stability, stability_at(turned, directions));
+    verdict.stability = std::min(verdict.stability, stabilities_.least(turned));
     verdict.over_friction = mechanics::holds_over_friction(
         instant.set, instant.modes, instant.commanded_forces, instant.surfaces, fingers,
         options_.min_stability, directions);

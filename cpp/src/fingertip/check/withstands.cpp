@@ -44,7 +44,6 @@ class Springs {
         set_(instant.set),
         nominal_(nominal),
         options_(options),
-        corners_O_(corners_O),
         ground_(kind_of(set_)) {
     const Matrix6d unscaled = set_.wrench_scale.inverse();
     for (const mechanics::Contact& c : set_.contacts) add(c, ground);
@@ -52,7 +51,15 @@ class Springs {
     const Matrix6d scaled = set_.wrench_scale * stiffness_ * set_.wrench_scale.transpose();
     holds_ = scaled.eigenvalues().real().minCoeff() > kSoft * scaled.norm();
     if (holds_) {
-      moved_ = stiffness_.fullPivLu().solve(Matrix6Xd(unscaled * options.disturbance_directions));
+      const Matrix6Xd moved =
+          stiffness_.fullPivLu().solve(Matrix6Xd(unscaled * options.disturbance_directions));
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        forces_.emplace_back(springs_[i] * points_[i] * moved);
+      yields_ = Eigen::ArrayXd::Zero(moved.cols());
+      for (const auto& corner : corners_O.colwise()) {
+        const Eigen::ArrayXd yield = (point(corner) * moved).colwise().norm();
+        yields_ = yields_.max(yield);
+      }
     }
     pushes_ = unscaled * options.disturbance_directions;
   }
@@ -60,7 +67,7 @@ class Springs {
   double largest(double most) const {
     if (!holds_) return 0;
     double t = most;
-    for (Eigen::Index d = 0; d < moved_.cols() && t > 0; ++d) {
+    for (Eigen::Index d = 0; d < yields_.size() && t > 0; ++d) {
       if (ground_ == Ground::face) t = face(d, t);
       if (holds(d, t)) continue;
       double low = 0, high = t;
@@ -80,7 +87,7 @@ class Springs {
     const auto at = static_cast<Eigen::Index>(i);
     const Vector3d before = at < contacts ? Vector3d(nominal_.contact_forces_O.col(at))
                                           : Vector3d(nominal_.finger_forces_O.col(at - contacts));
-    return before + t * springs_[i] * points_[i] * moved_.col(d);
+    return before + t * forces_[i].col(d);
   }
 
   Jacobian point(const Vector3d& p_O) const {
@@ -131,9 +138,7 @@ class Springs {
         return false;
       }
     }
-    for (Eigen::Index k = 0; k < corners_O_.cols(); ++k) {
-      if (t * (point(corners_O_.col(k)) * moved_.col(d)).norm() > options_.max_yield) return false;
-    }
+    if (t * yields_[d] > options_.max_yield) return false;
     if (ground_ == Ground::edge) return edge_holds(d, t);
     for (std::size_t i = 0; ground_ == Ground::other && i < contacts; ++i) {
       const mechanics::Contact& c = set_.contacts[i];
@@ -221,13 +226,14 @@ class Springs {
   const mechanics::ContactSet& set_;
   const mechanics::Equilibrium& nominal_;
   const Options& options_;
-  const Eigen::Matrix3Xd& corners_O_;
   Ground ground_;
   std::vector<Jacobian> points_;   // of contacts, then fingers
   std::vector<Matrix3d> springs_;  // force that an approach of the object takes away
   Matrix6d stiffness_ = Matrix6d::Zero();
   bool holds_ = false;
-  Matrix6Xd moved_, pushes_;  // twist and wrench of each direction
+  Matrix6Xd pushes_;                      // wrench of each direction
+  std::vector<Eigen::Matrix3Xd> forces_;  // of each spring in each direction, for t = 1
+  Eigen::ArrayXd yields_;                 // motion of the farthest corner, for t = 1 [m]
 };
 
 }  // namespace

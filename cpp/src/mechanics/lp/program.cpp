@@ -43,18 +43,17 @@ void validate_entries(const LinearProgram& lp) {
     throw std::invalid_argument("entry (" + std::to_string(row) + ", " + std::to_string(column) +
                                 ") must " + what);
   };
-  std::vector<std::pair<int, int>> places;
-  places.reserve(lp.entries.size());
+  std::vector<bool> is_given(static_cast<std::size_t>(lp.num_rows() * lp.num_variables()));
   for (const auto& entry : lp.entries) {
     const bool is_inside = entry.row() >= 0 && entry.row() < lp.num_rows() && entry.col() >= 0 &&
                            entry.col() < lp.num_variables();
     if (!is_inside) refuse(entry.row(), entry.col(), "lie in the matrix");
     if (!std::isfinite(entry.value())) refuse(entry.row(), entry.col(), "be finite");
-    places.emplace_back(entry.col(), entry.row());
+    const Eigen::Index place = entry.col() * lp.num_rows() + entry.row();
+    auto given = is_given[static_cast<std::size_t>(place)];
+    if (given) refuse(entry.row(), entry.col(), "be given once");
+    given = true;
   }
-  std::sort(places.begin(), places.end());
-  const auto twice = std::adjacent_find(places.begin(), places.end());
-  if (twice != places.end()) refuse(twice->second, twice->first, "be given once");
 }
 
 void validate(const LinearProgram& lp) {
