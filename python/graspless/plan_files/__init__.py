@@ -140,5 +140,19 @@ def _to_text(value: Any, indent: str = "") -> str:
         items = (f"{deeper}{json.dumps(key)}: {_to_text(v, deeper)}" for key, v in value.items())
         return "{\n" + ",\n".join(items) + f"\n{indent}}}"
     if isinstance(value, list) and any(isinstance(item, (list, dict)) for item in value):
-        return "[\n" + ",\n".join(deeper + _to_text(v, deeper) for v in value) + f"\n{indent}]"
-    return json.dumps(value, allow_nan=False)
+        rows = _rows(value, deeper) or (deeper + _to_text(item, deeper) for item in value)
+        return "[\n" + ",\n".join(rows) + f"\n{indent}]"
+    return _encode(value)
+
+
+def _rows(table: list[Any], indent: str) -> list[str] | None:
+    """Returns the lines of a list of lists of numbers, by a single call of json; or None."""
+    if not all(isinstance(row, list) for row in table):
+        return None
+    text = _encode(table)
+    if '"' in text or "{" in text or text.count("[") != len(table) + 1:
+        return None
+    return [f"{indent}[{row}]" for row in text[2:-2].split("], [")]
+
+
+_encode = json.JSONEncoder(allow_nan=False).encode
