@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 
 #include "graspless/geometry/band.hpp"
 #include "graspless/geometry/complex.hpp"
+#include "graspless/geometry/height_map.hpp"
 #include "graspless/geometry/linking.hpp"
 #include "graspless/geometry/loops.hpp"
 #include "graspless/geometry/point_cloud.hpp"
@@ -404,13 +406,16 @@ using FloatImage = py::array_t<float, py::array::c_style | py::array::forcecast>
 using Ends = decltype(RayImage::ends);
 using BoolImage = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 
-RayImage to_ray_image(const FloatImage& ends, const Array& K, const Array& X_OC) {
+RayImage to_ray_image(const FloatImage& ends, const Array& K, const Array& X_OC,
+                      const std::optional<FloatImage>& clear = std::nullopt) {
   if (ends.ndim() != 2) {
     throw std::invalid_argument("ends has " + std::to_string(ends.ndim()) +
                                 " dimensions; it must have shape (H, W)");
   }
   RayImage rays;
   rays.ends = Eigen::Map<const Ends>(ends.data(), ends.shape(0), ends.shape(1));
+  if (clear && clear->ndim() != 2) throw std::invalid_argument("clear must have shape (H, W)");
+  if (clear) rays.clear = Eigen::Map<const Ends>(clear->data(), clear->shape(0), clear->shape(1));
   rays.K = to_matrix3(K, "K");
   rays.X_OC = to_pose(X_OC, "X_OC");
   validate(rays, "rays");
@@ -438,10 +443,13 @@ void bind_ray_image(py::module_& m) {
                        "Rays of a camera around an object. They show where the object is, and "
                        "where it is open.")
       .def(py::init(&to_ray_image), py::arg("ends"), py::arg("K"), py::arg("X_OC"),
+           py::arg("clear") = py::none(),
            "ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. "
            "Negative: the ray ends on the object, at minus this depth. Infinite: it passes the "
            "object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose "
-           "of the optical frame in the frame of the object's points, z forward.")
+           "of the optical frame in the frame of the object's points, z forward. clear: (H, W) "
+           "depth "
+           "up to which a ray of unknown end met nothing [m]; 0: nobody knows.")
       .def_static("from_depth", &rays_of_depth, py::arg("depth"), py::arg("is_object"),
                   py::arg("K"), py::arg("X_OC"),
                   "Makes rays from a depth image.\n\ndepth: (H, W) [m]; 0 or not finite: unknown. "
@@ -452,6 +460,14 @@ void bind_ray_image(py::module_& m) {
           "ends", [](const RayImage& self) -> Ends { return self.ends; },
           "(H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: "
           "unknown.")
+      .def_property_readonly(
+          "clear",
+          [](const RayImage& self) -> Ends {
+            return self.clear.size() > 0 ? self.clear
+                                         : Ends(Ends::Zero(self.ends.rows(), self.ends.cols()));
+          },
+          "(H, W) depths up to which rays of unknown end met nothing [m], float32; 0: nobody "
+          "knows.")
       .def_property_readonly(
           "K", [](const RayImage& self) -> Eigen::Matrix3d { return self.K; },
           "(3, 3) camera matrix [pixels].")
@@ -497,6 +513,93 @@ Raises
 ValueError
     If there are fewer than 20 points, one is not finite, or a viewpoint is among the points: they
     must lie within 60 degrees of the direction to their middle.
+)");
+}
+
+using HeightRows = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+void bind_height_map(py::module_& m) {
+  py::class_<HeightMap>(
+      m, "HeightMap",
+      "Heights over the plane z = 0 of a frame O, one for each square cell: the solid between them "
+      "and the plane.\n\nThe open top of a vessel is such a map; an overhang is filled.")
+      .def(
+          py::init([](const Eigen::Vector2d& corner, double cell, const HeightRows& heights,
+                      const std::optional<HeightRows>& undersides) {
+            HeightMap map;
+            map.corner = corner;
+            map.cell = cell;
+            map.heights = heights;
+            if (undersides) map.undersides = *undersides;
+            validate(map, "map");
+            return map;
+          }),
+          py::arg("corner"), py::arg("cell"), py::arg("heights"),
+          py::arg("undersides") = py::none(),
+          "corner: (2,) least x and y of the first cell [m]. cell: side of a cell [m]. heights: "
+          "(nx, ny) [m], the first index along x; 0: nothing is there. undersides: (nx, ny) lowest "
+          "height at which each cell was seen [m]; None: the cells are known to be solid down to "
+          "the plane.\n\nRaises ValueError unless "
+          "there are 1 to 10^6 cells, none with a negative height and one with a positive one.")
+      .def_property_readonly(
+          "corner", [](const HeightMap& self) -> Eigen::Vector2d { return self.corner; },
+          "(2,) least x and y of the first cell [m].")
+      .def_property_readonly(
+          "cell", [](const HeightMap& self) { return self.cell; }, "Side of a cell [m].")
+      .def_property_readonly(
+          "heights", [](const HeightMap& self) -> HeightRows { return self.heights; },
+          "(nx, ny) heights [m].")
+      .def_property_readonly(
+          "undersides",
+          [](const HeightMap& self) -> std::optional<HeightRows> {
+            if (self.undersides.size() == 0) return std::nullopt;
+            return self.undersides;
+          },
+          "(nx, ny) lowest heights at which the cells were seen [m]; None: they are known to be "
+          "solid.")
+      .def("at", &HeightMap::at, py::arg("p_O"),
+           "Returns the height at a point, (2,) in O; 0 beyond the cells [m].")
+      .def("__repr__", [](const HeightMap& self) {
+        return "<HeightMap of " + std::to_string(self.heights.rows()) + " x " +
+               std::to_string(self.heights.cols()) + " cells>";
+      });
+  m.def("columns", &columns, py::arg("map"), py::arg("step"),
+        "Returns boxes that fill a map, as PlacedShapes in O.\n\nCells of nearly the same height "
+        "share one: each box is as high as the next multiple of `step` [m], but not higher than "
+        "the highest cell.");
+  m.def(
+      "seen_heights",
+      [](const Array& points, const std::vector<RayImage>& rays, const Polygon& outline, double top,
+         double cell) {
+        const Eigen::Matrix3Xd p = to_points3(points, "points");
+        const py::gil_scoped_release release;
+        return seen_heights(p, rays, outline, top, cell);
+      },
+      py::arg("points"), py::arg("rays"), py::arg("outline"), py::arg("top"), py::arg("cell"),
+      R"(Returns the HeightMap of an object as cameras saw it.
+
+A cell is as high as its highest point. Where the cameras saw no point, the object is as high as it
+may be: up to the lowest of the rays that pass over the cell, one below the other, or up to the top.
+Nothing was seen of such a cell: its underside is its height.
+
+Parameters
+----------
+points : array (N, 3)
+    Points on the object, in O [m].
+rays : list of RayImage
+    Rays of the cameras, in O.
+outline : Polygon
+    Outline of the object in O [m]. Cells beyond its convex hull without points have the height 0.
+top : float
+    Height of the object [m].
+cell : float
+    Side of a cell [m].
+
+Raises
+------
+ValueError
+    If a point is not finite, or the map would have no cell, more than 1000 along a side, or no
+    height.
 )");
 }
 
@@ -551,6 +654,7 @@ void bind_loops(py::module_& m) {
       });
 
   bind_ray_image(m);
+  bind_height_map(m);
   bind_rays_from_viewpoints(m);
   py::class_<LoopOptions> options(m, "LoopOptions", "Options of shortest_loops().");
   bind_fields(

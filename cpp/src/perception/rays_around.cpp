@@ -115,6 +115,7 @@ geometry::RayImage rays_in(const Window& window, const Sighting& from, const Pix
   rays.K(1, 2) -= window.v;
   rays.K.topRows<2>() /= window.stride;
   rays.ends.resize(window.rows, window.columns);
+  rays.clear.setZero(window.rows, window.columns);
   for (Eigen::Index y = 0; y < window.rows; ++y) {
     for (Eigen::Index x = 0; x < window.columns; ++x) {
       const int u = window.column(x), v = window.row(y);
@@ -125,9 +126,10 @@ geometry::RayImage rays_in(const Window& window, const Sighting& from, const Pix
         rays.ends(y, x) = std::numeric_limits<float>::infinity();
       } else {
         const Eigen::Vector3d end = lines.at_depth(u, v, static_cast<double>(depth));
-        const bool is_unknown =
-            is_low(from.heights.level(v, u)) || ground.contains(end.head<2>().eval());
+        const bool is_bottom = is_low(from.heights.level(v, u)),
+                   is_unknown = is_bottom || ground.contains(end.head<2>().eval());
         rays.ends(y, x) = is_unknown ? 0 : depth;
+        if (is_bottom && depth > 0) rays.clear(y, x) = depth;
       }
     }
   }

@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'rays_from_viewpoints', 'read_mesh', 'sample_grid', 'sample_surface', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
+__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'HeightMap', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'columns', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'rays_from_viewpoints', 'read_mesh', 'sample_grid', 'sample_surface', 'seen_heights', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
     """
     A box centred at its frame's origin, sides along the axes.
@@ -481,9 +481,9 @@ class RayImage:
         
         depth: (H, W) [m]; 0 or not finite: unknown. is_object: (H, W), true for the pixels of the object. K: (3, 3) camera matrix [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward.
         """
-    def __init__(self, ends: typing.Annotated[numpy.typing.ArrayLike, numpy.float32], K: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
+    def __init__(self, ends: typing.Annotated[numpy.typing.ArrayLike, numpy.float32], K: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_OC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], clear: typing.Annotated[numpy.typing.ArrayLike, numpy.float32] | None = None) -> None:
         """
-        ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. Negative: the ray ends on the object, at minus this depth. Infinite: it passes the object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward.
+        ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. Negative: the ray ends on the object, at minus this depth. Infinite: it passes the object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward. clear: (H, W) depth up to which a ray of unknown end met nothing [m]; 0: nobody knows.
         """
     def __repr__(self) -> str:
         ...
@@ -498,9 +498,52 @@ class RayImage:
         (4, 4) pose of the optical frame in the frame of the object's points.
         """
     @property
+    def clear(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float32], "[m, n]"]:
+        """
+        (H, W) depths up to which rays of unknown end met nothing [m], float32; 0: nobody knows.
+        """
+    @property
     def ends(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float32], "[m, n]"]:
         """
         (H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: unknown.
+        """
+class HeightMap:
+    """
+    Heights over the plane z = 0 of a frame O, one for each square cell: the solid between them and the plane.
+    
+    The open top of a vessel is such a map; an overhang is filled.
+    """
+    def __init__(self, corner: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], cell: typing.SupportsFloat | typing.SupportsIndex, heights: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], undersides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"] | None = None) -> None:
+        """
+        corner: (2,) least x and y of the first cell [m]. cell: side of a cell [m]. heights: (nx, ny) [m], the first index along x; 0: nothing is there. undersides: (nx, ny) lowest height at which each cell was seen [m]; None: the cells are known to be solid down to the plane.
+        
+        Raises ValueError unless there are 1 to 10^6 cells, none with a negative height and one with a positive one.
+        """
+    def __repr__(self) -> str:
+        ...
+    def at(self, p_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"]) -> float:
+        """
+        Returns the height at a point, (2,) in O; 0 beyond the cells [m].
+        """
+    @property
+    def cell(self) -> float:
+        """
+        Side of a cell [m].
+        """
+    @property
+    def corner(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[2, 1]"]:
+        """
+        (2,) least x and y of the first cell [m].
+        """
+    @property
+    def heights(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+        """
+        (nx, ny) heights [m].
+        """
+    @property
+    def undersides(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"] | None:
+        """
+        (nx, ny) lowest heights at which the cells were seen [m]; None: they are known to be solid.
         """
 class LoopOptions:
     """
@@ -718,6 +761,12 @@ def clasp_targets(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.fl
     ValueError
         If `count` is not positive, or the loop has fewer than 3 corners or no length.
     """
+def columns(map: HeightMap, step: typing.SupportsFloat | typing.SupportsIndex) -> list[PlacedShape]:
+    """
+    Returns boxes that fill a map, as PlacedShapes in O.
+    
+    Cells of nearly the same height share one: each box is as high as the next multiple of `step` [m], but not higher than the highest cell.
+    """
 def downsample(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], cell: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.int32]:
     """
     Downsamples a cloud to one point per cubic cell: the point nearest to the cell's mean.
@@ -891,6 +940,33 @@ def sample_surface(shapes: collections.abc.Sequence[PlacedShape], count: typing.
     ------
     ValueError
         If `count` is out of range, a shape is invalid, or there is almost no outer surface.
+    """
+def seen_heights(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], rays: collections.abc.Sequence[RayImage], outline: Polygon, top: typing.SupportsFloat | typing.SupportsIndex, cell: typing.SupportsFloat | typing.SupportsIndex) -> HeightMap:
+    """
+    Returns the HeightMap of an object as cameras saw it.
+    
+    A cell is as high as its highest point. Where the cameras saw no point, the object is as high as it
+    may be: up to the lowest of the rays that pass over the cell, one below the other, or up to the top.
+    Nothing was seen of such a cell: its underside is its height.
+    
+    Parameters
+    ----------
+    points : array (N, 3)
+        Points on the object, in O [m].
+    rays : list of RayImage
+        Rays of the cameras, in O.
+    outline : Polygon
+        Outline of the object in O [m]. Cells beyond its convex hull without points have the height 0.
+    top : float
+        Height of the object [m].
+    cell : float
+        Side of a cell [m].
+    
+    Raises
+    ------
+    ValueError
+        If a point is not finite, or the map would have no cell, more than 1000 along a side, or no
+        height.
     """
 @typing.overload
 def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, rays: collections.abc.Sequence[RayImage] = []) -> Loops:

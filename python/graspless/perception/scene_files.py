@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 Label = Literal["real", "image_border", "occluded"]
 MOST = 400_000_000  # bytes of the points in a file
+CLEAR = "clear"  # in names of arrays
 
 
 class SupportFields(Fields):
@@ -73,7 +74,7 @@ class ObjectFields(Fields):
     rays: list[RayCamera] = Field(
         default=[],
         description="rays of each camera; the array 'object_0 rays 0' of the .npz file has the "
-        "depths of their ends",
+        "depths of their ends, and 'object_0 clear 0' how far rays of unknown end met nothing",
     )
     warnings: list[str] = []
 
@@ -152,11 +153,10 @@ def save_scene(scene: Scene, path: str | Path) -> None:
         clouds: dict[str, Any] = {
             thing.name: thing.points.astype(np.float32) for thing in scene.objects
         }
-        clouds |= {
-            _name_of(thing.name, i): image.ends
-            for thing in scene.objects
-            for i, image in enumerate(thing.rays)
-        }
+        for thing in scene.objects:
+            for i, image in enumerate(thing.rays):
+                clouds[_name_of(thing.name, i)] = image.ends
+                clouds[_name_of(thing.name, i, CLEAR)] = image.clear
         np.savez_compressed(packed, **clouds)
         files.write(path.with_suffix(".npz"), packed.getvalue())
         document["points"] = path.with_suffix(".npz").name
@@ -219,9 +219,9 @@ def _object(thing: Object) -> dict[str, Any]:
     }
 
 
-def _name_of(thing: str, index: int) -> str:
-    """Returns the name of the array of a camera's rays."""
-    return f"{thing} rays {index}"
+def _name_of(thing: str, index: int, what: str = "rays") -> str:
+    """Returns the name of an array of a camera's rays."""
+    return f"{thing} {what} {index}"
 
 
 def _figures(owner: Support | Object, *names: str) -> dict[str, float]:
@@ -255,7 +255,10 @@ def _built_object(fields: ObjectFields, arrays: dict[str, Matrix]) -> Object:
         X_WO=pose_matrix(fields.pose),
         points=arrays[fields.name],
         rays=[
-            camera.image(arrays[_name_of(fields.name, i)]) for i, camera in enumerate(fields.rays)
+            camera.image(
+                arrays[_name_of(fields.name, i)], arrays.get(_name_of(fields.name, i, CLEAR))
+            )
+            for i, camera in enumerate(fields.rays)
         ],
         **values,
     )

@@ -31,11 +31,11 @@ class RayCamera(Fields):
     focal: Size2 = Field(description="focal lengths along x and y [pixels]")
     center: Point2 = Field(description="principal point [pixels]")
 
-    def image(self, ends: Matrix) -> geometry.RayImage:
-        """Returns the rays of this camera. `ends`: see geometry.RayImage."""
+    def image(self, ends: Matrix, clear: Matrix | None = None) -> geometry.RayImage:
+        """Returns the rays of this camera. `ends`, `clear`: see geometry.RayImage."""
         (fx, fy), (cx, cy) = self.focal, self.center
         K = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
-        return geometry.RayImage(ends, K, pose_matrix(self.pose))
+        return geometry.RayImage(ends, K, pose_matrix(self.pose), clear)
 
 
 class Rays(RayCamera):

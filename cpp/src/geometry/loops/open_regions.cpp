@@ -63,6 +63,11 @@ void validate(const RayImage& rays, const std::string& field) {
           ".ends must have 1 to 25000000 pixels, not " + std::to_string(rays.ends.size()));
   const float lowest = -std::numeric_limits<float>::infinity();
   require((rays.ends > lowest).all(), ".ends must be numbers, and not -inf");
+  const bool is_sound =
+      rays.clear.size() == 0 ||
+      (rays.clear.rows() == rays.ends.rows() && rays.clear.cols() == rays.ends.cols() &&
+       rays.clear.isFinite().all() && (rays.clear >= 0).all());
+  require(is_sound, ".clear must be as many finite depths as .ends, and none of them negative");
   const bool is_camera = rays.K.allFinite() && rays.K(0, 0) > 0 && rays.K(1, 1) > 0 &&
                          rays.K(0, 1) == 0 && rays.K(1, 0) == 0 &&
                          rays.K.row(2) == Eigen::RowVector3d(0, 0, 1);

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "graspless/geometry/height_map.hpp"
+#include "graspless/watch.hpp"
+
+namespace graspless::geometry {
+
+using Eigen::ArrayXXd, Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
+
+namespace {
+
+constexpr double kBin = 2;       // height of a voxel, in cells: neighbouring rays are farther apart
+                                 // than a cell where they are steep
+constexpr double kStride = 0.5;  // along a ray, in cells
+
+/// Voxels over the cells of a map, from the top down, with the lowest ray through each.
+class Passed {
+ public:
+  Passed(const HeightMap& map, double top)
+      : map_(map),
+        top_(top),
+        bin_(kBin * map.cell),
+        lowest_(static_cast<std::size_t>(std::ceil(top / bin_)),
+                ArrayXXd::Constant(map.heights.rows(), map.heights.cols(),
+                                   std::numeric_limits<double>::infinity())) {}
+
+  void add(const RayImage& image) {
+    const Eigen::Matrix3d to_ray = image.X_OC.linear() * image.K.inverse();
+    const Vector3d eye = image.X_OC.translation();
+    for (Index v = 0; v < image.ends.rows(); ++v) {
+      poll();
+      for (Index u = 0; u < image.ends.cols(); ++u) {
+        auto end = std::abs(static_cast<double>(image.ends(v, u)));
+        if (end == 0 && image.clear.size() > 0) end = static_cast<double>(image.clear(v, u));
+        if (end == 0) continue;  // unknown
+        const Vector3d along = to_ray * Vector3d(static_cast<double>(u), static_cast<double>(v), 1);
+        if (along.z() < 0) march(eye, along, end);
+      }
+    }
+  }
+
+  /// Height up to which the object may reach in a cell.
+  double bound(Index i, Index j) const {
+    double height = top_;
+    for (const ArrayXXd& layer : lowest_) {
+      if (!(layer(i, j) < top_)) break;
+      height = layer(i, j);
+    }
+    return height;
+  }
+
+ private:
+  /// Notes a ray from the height of the top to its end or to the plane.
+  void march(const Vector3d& eye, const Vector3d& along, double end) {
+    const double from = std::max(0.0, (top_ - eye.z()) / along.z()),
+                 to = std::min(end, -eye.z() / along.z());
+    if (!(to > from)) return;
+    const auto steps =
+        static_cast<int>(std::ceil((to - from) * along.norm() / (kStride * map_.cell)));
+    for (int k = 0; k <= steps; ++k) note(eye + (from + (to - from) * k / steps) * along);
+  }
+
+  void note(const Vector3d& p) {
+    const double x = (p.x() - map_.corner.x()) / map_.cell,
+                 y = (p.y() - map_.corner.y()) / map_.cell;
+    if (!(x >= 0 && y >= 0 && x < static_cast<double>(map_.heights.rows()) &&
+          y < static_cast<double>(map_.heights.cols())))
+      return;
+    const double layer =
+        std::clamp((top_ - p.z()) / bin_, 0.0, static_cast<double>(lowest_.size() - 1));
+    double& lowest =
+        lowest_[static_cast<std::size_t>(layer)](static_cast<Index>(x), static_cast<Index>(y));
+    lowest = std::min(lowest, std::max(p.z(), 0.0));
+  }
+
+  const HeightMap& map_;
+  double top_, bin_;
+  std::vector<ArrayXXd> lowest_;
+};
+
+/// Corners of the convex hull of a polygon, counter-clockwise (Andrew's monotone chain).
+Polygon hull_of(const Polygon& polygon) {
+  std::vector<Vector2d> corners, hull;
+  for (const auto& corner : polygon.vertices().colwise()) corners.emplace_back(corner);
+  std::sort(corners.begin(), corners.end(), [](const Vector2d& a, const Vector2d& b) {
+    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+  });
+  const auto is_right_turn = [&](const Vector2d& p) {
+    const Vector2d a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
+    return a.x() * b.y() - a.y() * b.x() <= 0;
+  };
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const Vector2d& p : corners) {
+      while (hull.size() >= begin + 2 && is_right_turn(p)) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the first corner of the other side
+    std::reverse(corners.begin(), corners.end());
+  }
+  Eigen::Matrix2Xd vertices(2, static_cast<Index>(hull.size()));
+  for (std::size_t k = 0; k < hull.size(); ++k) vertices.col(static_cast<Index>(k)) = hull[k];
+  return Polygon(vertices);
+}
+
+HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double cell) {
+  if (!points.allFinite()) throw std::invalid_argument("points must be finite");
+  if (!(cell > 0))
+    throw std::invalid_argument("cell must be positive, not " + std::to_string(cell));
+  const Eigen::Matrix2Xd& ring = outline.vertices();
+  Vector2d low = ring.rowwise().minCoeff(), high = ring.rowwise().maxCoeff();
+  if (points.cols() > 0) {
+    low = low.cwiseMin(points.topRows<2>().rowwise().minCoeff());
+    high = high.cwiseMax(points.topRows<2>().rowwise().maxCoeff());
+  }
+  HeightMap map;
+  map.corner = low;
+  map.cell = cell;
+  const Vector2d count = ((high - low) / cell).array().floor() + 1;
+  constexpr double kMost = 1e3;  // cells along a side
+  if (!(count.maxCoeff() <= kMost))
+    throw std::invalid_argument("cell is too small for an object of " +
+                                std::to_string((high - low).maxCoeff()) +
+                                " m: " + std::to_string(cell) + " m");
+  map.heights.setZero(static_cast<Index>(count.x()), static_cast<Index>(count.y()));
+  return map;
+}
+
+}  // namespace
+
+HeightMap seen_heights(const Eigen::Matrix3Xd& points, const std::vector<RayImage>& rays,
+                       const Polygon& outline, double top, double cell) {
+  HeightMap map = empty_map(points, outline, cell);
+  map.undersides.setConstant(map.heights.rows(), map.heights.cols(), top);
+  for (Index k = 0; k < points.cols(); ++k) {
+    const Vector2d at = (points.col(k).head<2>() - map.corner) / cell;
+    const auto i = static_cast<Index>(at.x()), j = static_cast<Index>(at.y());
+    const double z = std::clamp(points(2, k), 0.0, top);
+    map.heights(i, j) = std::max(map.heights(i, j), z);
+    map.undersides(i, j) = std::min(map.undersides(i, j), z);
+  }
+  Passed passed(map, top);
+  for (const RayImage& image : rays) {
+    validate(image, "rays");
+    passed.add(image);
+  }
+  const Polygon hull = hull_of(outline);
+  for (Index i = 0; i < map.heights.rows(); ++i) {
+    poll();
+    for (Index j = 0; j < map.heights.cols(); ++j) {
+      const Vector2d middle =
+          map.corner + cell * Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
+      if (map.heights(i, j) > 0 || !hull.contains(middle)) continue;
+      map.heights(i, j) = passed.bound(i, j);
+    }
+  }
+  map.undersides = map.undersides.min(map.heights);
+  validate(map, "heights");
+  return map;
+}
+
+}  // namespace graspless::geometry
