@@ -81,8 +81,10 @@ void bind_object(py::module_& m) {
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
       .def_property_readonly("mass", &Object::mass, "Mass [kg].")
-      .def_property_readonly("shapes", &Object::shapes,
-                             "PlacedShapes in O: prisms over the outline's convex parts.")
+      .def_property_readonly(
+          "shapes", &Object::shapes,
+          "PlacedShapes in O: prisms over the outline's convex parts, or columns of the "
+          "heights.")
       .def(
           "with_com",
           [](const Object& self, const Array& com_O) {
@@ -93,6 +95,12 @@ void bind_object(py::module_& m) {
           "the object's bounding box.")
       .def("with_mass", &Object::with_mass, py::arg("mass"),
            "Returns a copy with another mass [kg].")
+      .def_property_readonly(
+          "heights", [](const Object& self) { return self.heights(); },
+          "geometry.HeightMap of the object in O; None if it is a prism.")
+      .def("with_heights", &Object::with_heights, py::arg("heights_O"),
+           "Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism: "
+           "only pinches take it.\n\nRaises ValueError if the map is higher than the thickness.")
       .def("scaled", &Object::scaled, py::arg("scale"),
            "Returns a copy scaled in its plane. Thickness and mass stay the same.")
       .def("__repr__", [](const py::object& self) {

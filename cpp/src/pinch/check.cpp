@@ -10,6 +10,7 @@
 #include "graspless/pinch/pinch.hpp"
 #include "graspless/watch.hpp"
 
+#include "pinch/check_contacts.hpp"
 #include "scene/edges.hpp"
 #include "scene/rows.hpp"
 #include "slide/check/replay.hpp"
@@ -17,16 +18,14 @@
 namespace graspless::pinch {
 namespace {
 
-using Eigen::Isometry3d, Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
+using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 using Faults = std::vector<std::string>;
 
 constexpr double kSame = 1e-6;         // [m, rad]
-constexpr double kOffFace = 0.004;     // of a contact from a noisy outline [m]
 constexpr double kUnevenEnd = 0.0035;  // gap left at one finger when the other touches [m]
 constexpr double kPressed = 0.001;     // depth of the fingers in the object at the end [m]
 constexpr double kSideways = 0.0025;   // of the hand from its straight line [m]
 constexpr double kTurn = 0.025;        // of the hand on it [rad]
-constexpr double kSlack = 0.10;        // of slopes that are measured in two ways
 const std::vector<std::string> kNames = {"approach", "grasp", "close"};
 
 /// Replays one plan and collects its faults.
@@ -39,9 +38,11 @@ class Examination {
     if (!has_shape()) return faults_;
     check_rows();
     check_joints();
-    for (const Segment& segment : plan_.segments) check_collisions(segment);
+    for (const Segment& segment : plan_.segments)
+      check_collisions(segment, slide::contacts_of(segment.name));
     check_straight();
     check_closing();
+    check_untouched();
     check_contacts();
     return faults_;
   }
@@ -130,8 +131,8 @@ class Examination {
     }
   }
 
-  void check_collisions(const Segment& segment) {
-    slide::Replay world = strict_.with(slide::contacts_of(segment.name));
+  void check_collisions(const Segment& segment, slide::Contacts contacts) {
+    slide::Replay world = strict_.with(contacts);
     std::size_t faulty_row = segment.positions.size();  // one fault per row is enough
     scene::replay_rows(problem_.robot, segment.positions, [&](std::size_t row, const VectorXd& q) {
       if (row == faulty_row) return;
@@ -140,6 +141,13 @@ class Examination {
       faulty_row = row;
       fault(segment, row, "collision " + touching.front());
     });
+  }
+
+  /// Nothing touches the object until the last row, where the hand has closed on it.
+  void check_untouched() {
+    Segment closing = plan_.segments[2];
+    closing.positions.pop_back();
+    if (!closing.positions.empty()) check_collisions(closing, slide::Contacts::none);
   }
 
   Isometry3d hand_at(const VectorXd& q) const {
@@ -188,14 +196,21 @@ class Examination {
     const auto a = interval(q, y, true), b = interval(q, y, false);
     const double gap = std::max(a.first - b.second, b.first - a.second);
     const double width = (contact(1) - contact(0)).norm();
-    if (gap > width + kUnevenEnd || gap < width - 2 * kPressed) {
+    const auto& heights = problem_.object.heights();  // whose faces are staircases of cells
+    const double uneven = 2 * (kPressed + (heights ? heights->cell : 0));
+    if (gap > width + kUnevenEnd || gap < width - uneven) {
       fault("close", "the fingers end " + figure(gap) + " m apart, the contacts are " +
                          figure(width) + " m apart");
     }
     const double support = n.dot(problem_.support.X_WS().translation());
-    const double low = std::min(interval(q, n, true).first, interval(q, n, false).first) - support;
+    const auto up = interval(q, n, true), other_up = interval(q, n, false);
+    const double low = std::min(up.first, other_up.first) - support;
     if (low < options_.clearance - kSame)
       fault("close", "a finger ends " + figure(low) + " m above the support");
+    const double level = n.dot(problem_.X_WO_start * contact(0));
+    for (const auto& [first, last] : {up, other_up}) {
+      if (level < first || level > last) fault("close", "a finger ends beside its contact");
+    }
     const Vector3d across = problem_.X_WO_start.linear() * (contact(1) - contact(0)) / width;
     if (std::abs(across.dot(y)) < 1 - kSame)
       fault("plan", "the fingers do not close along the line of contacts");
@@ -203,65 +218,16 @@ class Examination {
 
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }
 
-  /// The contacts lie on the faces of the object, which are opposite each other.
+  /// The contacts lie on faces that are opposite each other.
   void check_contacts() {
-    const double thickness = problem_.object.thickness();
-    const Vector3d across = contact(1) - contact(0);
-    for (int i = 0; i < 2; ++i) {
-      const std::string where = "contact " + std::to_string(i);
-      const double off = problem_.object.outline().depth(contact(i).head<2>());
-      if (std::abs(off) > kOffFace) fault(where, "is " + figure(off) + " m inside the outline");
-      if (contact(i).z() < 0 || contact(i).z() > thickness - options_.clearance + kSame)
-        fault(where, "is not on a face of the object");
-    }
     if (plan_.friction > options_.friction)
       fault("plan", "needs a coefficient of friction of " + figure(plan_.friction));
-    if (std::abs(across.z()) > kSame) fault("plan", "the contacts are not equally high");
-    const Vector2d com = problem_.object.com().head<2>(), line = across.head<2>().normalized();
-    const Vector2d arm = com - contact(0).head<2>();
-    const double lever = std::abs(arm.x() * line.y() - arm.y() * line.x());
-    if (lever > options_.max_lever + kSame)
-      fault("plan", "the centre of mass is " + figure(lever) + " m from the line of contacts");
-    for (int i = 0; i < 2; ++i) check_face(i, i == 0 ? Vector2d(-line) : line);
-  }
-
-  /// The outline around a contact leans by no more than the friction allows, to both sides of it.
-  void check_face(int i, const Vector2d& outward) {
-    constexpr double kHalf = 0.004;  // [m]
-    const std::string where = "contact " + std::to_string(i);
-    for (const auto& [from, to] : {std::pair(-kHalf, kHalf), {-kHalf, 0.0}, {0.0, kHalf}}) {
-      const std::optional<double> slope = slope_around(contact(i).head<2>(), outward, from, to);
-      if (slope && std::atan(std::abs(*slope)) > std::atan(options_.friction) + kSlack)
-        fault(where,
-              "the face leans by a tangent of " + figure(*slope) + ", which exceeds the friction");
-    }
-    if (!slope_around(contact(i).head<2>(), outward, -kHalf, kHalf))
-      fault(where, "there is no face around it");
-  }
-
-  /// Slope of the line that fits best the outline beside p, between two distances along the face;
-  /// nothing if there is no outline.
-  std::optional<double> slope_around(const Vector2d& p, const Vector2d& outward, double from,
-                                     double to) const {
-    constexpr double kBehind = 0.008, kSpacing = 2e-4;  // [m]
-    const Vector2d along(-outward.y(), outward.x());
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    const geometry::Polygon& outline = problem_.object.outline();
-    for (int k = 0; k < outline.size(); ++k) {
-      poll();
-      const geometry::Polygon::Edge edge = outline.edge(k);
-      if (edge.inward.dot(outward) >= 0) continue;  // it faces the other way
-      const int count = std::max(1, static_cast<int>((edge.b - edge.a).norm() / kSpacing));
-      for (int j = 0; j < count; ++j) {
-        const Vector2d off = edge.a + (edge.b - edge.a) * (j + 0.5) / count - p;
-        const double u = along.dot(off), v = outward.dot(off);
-        if (u < from || u > to || std::abs(v) > kBehind) continue;
-        n += 1, x += u, y += v, xx += u * u, xy += u * v;
-      }
-    }
-    const double spread = n > 0 ? xx - x * x / n : 0;
-    if (spread <= 0) return std::nullopt;
-    return (xy - x * y / n) / spread;
+    if (std::abs(contact(1).z() - contact(0).z()) > kSame)
+      fault("plan", "the contacts are not equally high");
+    const bool has_walls = problem_.object.heights().has_value();
+    const Faults found = has_walls ? faults_of_wall(problem_, plan_, options_)
+                                   : faults_of_faces(problem_, plan_, options_);
+    faults_.insert(faults_.end(), found.begin(), found.end());
   }
 
   const Problem& problem_;

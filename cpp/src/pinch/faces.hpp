@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,13 +13,20 @@ namespace graspless::pinch {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Two opposite parts of an outline, between which a jaw fits.
+/// Two opposite parts of an outline or of a wall, between which a jaw fits.
 struct Faces {
   double yaw;                     ///< of the closing direction [rad]
   Eigen::Vector2d first, second;  ///< contacts: the second lies along the closing direction
   double width;                   ///< distance between two lines that enclose both parts [m]
   double friction;                ///< tangent of the larger angle between closing and a normal
   double lever;                   ///< distance of the centre of mass from the line of contacts [m]
+  double offset = 0;              ///< of the centre of mass from their middle, along that line [m]
+  double drop = 0;                ///< of the centre of mass below the contacts [m]
+  /// How far the pads' contacts may be above the middle of the pads, because nobody saw a face
+  /// lower down [m].
+  double rise = 0;
+  double load = 0;  ///< mass of the object, relative to the largest that the pads hold there
+  std::optional<double> height = std::nullopt;  ///< of the contacts, where the faces have one [m]
   Eigen::Vector2d middle() const { return (first + second) / 2; }
 };
 

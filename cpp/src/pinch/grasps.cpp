@@ -20,14 +20,6 @@ constexpr double kLever = 0.05;        // costs as much as a coefficient of fric
 constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
 constexpr double kSameHeight = 0.008;  // [m]
 
-std::string in_mm(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f mm", 1000 * length);
-  return text;
-}
-
-double cost(const Faces& faces) { return faces.friction + faces.lever / kLever; }
-
 /// Narrows the faces down, and notes what the nearest of the rejected ones lack.
 class Selection {
  public:
@@ -66,7 +58,7 @@ class Selection {
                         " or more from the centre of mass, at most " + in_mm(options_.max_lever) +
                         " is allowed");
     }
-    return thinned(std::move(faces));
+    return faces;
   }
 
  private:
@@ -92,24 +84,6 @@ class Selection {
         faces.end());
   }
 
-  /// The best faces of each direction, best first.
-  static std::vector<Faces> thinned(std::vector<Faces> faces) {
-    std::stable_sort(faces.begin(), faces.end(),
-                     [](const Faces& a, const Faces& b) { return cost(a) < cost(b); });
-    std::vector<Faces> kept;
-    for (const Faces& pair : faces) {
-      std::size_t same = 0;
-      bool is_near = false;
-      for (const Faces& other : kept) {
-        if (other.yaw != pair.yaw) continue;
-        ++same;
-        is_near = is_near || (other.middle() - pair.middle()).norm() < kApart;
-      }
-      if (same < kFacesPerDirection && !is_near) kept.push_back(pair);
-    }
-    return kept;
-  }
-
   const Problem& problem_;
   const Options& options_;
   const Jaw& jaw_;
@@ -125,9 +99,12 @@ Eigen::Matrix3d rotation(const Vector2d& closing_S, int roll, double tilt) {
   return R;
 }
 
-/// Heights of the contacts between two bounds: in the middle of the object if that is possible, and
-/// above.
-std::vector<double> heights(double thickness, double least, double most) {
+/// Heights of the contacts between two bounds: that of the faces, or in the middle of the object if
+/// that is possible, and above.
+std::vector<double> heights(const Faces& faces, double thickness, double least, double most) {
+  if (faces.height) {
+    return *faces.height < least ? std::vector<double>{} : std::vector<double>{*faces.height};
+  }
   const double middle = std::clamp(thickness / 2, least, most);
   std::vector<double> found{middle};
   for (const double height : {(middle + most) / 2, most}) {
@@ -136,15 +113,47 @@ std::vector<double> heights(double thickness, double least, double most) {
   return found;
 }
 
+/// The best faces of each direction and height, best first.
+std::vector<Faces> thinned(std::vector<Faces> faces) {
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const Faces& a, const Faces& b) { return cost(a) < cost(b); });
+  std::vector<Faces> kept;
+  for (const Faces& pair : faces) {
+    std::size_t same = 0;
+    bool is_near = false;
+    for (const Faces& other : kept) {
+      if (other.yaw != pair.yaw || other.height != pair.height) continue;
+      ++same;
+      is_near = is_near || (other.middle() - pair.middle()).norm() < kApart;
+    }
+    if (same < kFacesPerDirection && !is_near) kept.push_back(pair);
+  }
+  return kept;
+}
+
 }  // namespace
+
+double cost(const Faces& faces) {
+  return faces.friction + faces.load + std::hypot(faces.lever, faces.offset) / kLever;
+}
+
+std::string in_mm(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f mm", 1000 * length);
+  return text;
+}
 
 Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw) {
   Grasps result;
-  const std::vector<Faces> faces = Selection(problem, options, jaw).run(result);
+  const bool has_walls = problem.object.heights().has_value();
+  const std::vector<Faces> faces =
+      thinned(has_walls ? select_walls(problem, options, jaw, result)
+                        : Selection(problem, options, jaw).run(result));
   result.num_faces = faces.size();
   const Isometry3d& X_WS = problem.support.X_WS();
   const Isometry3d X_SO = X_WS.inverse() * problem.X_WO_start;
-  const double thickness = problem.object.thickness(), most = thickness - options.clearance;
+  const double thickness = problem.object.thickness(),
+               above = has_walls ? options.patch : options.clearance, most = thickness - above;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Faces& pair : faces) {
     const std::optional<Grip> grip = jaw.at_width(pair.width);
@@ -161,11 +170,11 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
             options.clearance + jaw.reach(*grip, down_H) - down_H.dot(grip->contact_H);
         lowest = std::min(lowest, least);
         if (least > most) continue;
-        for (const double height : heights(thickness, least, most)) {
+        for (const double height : heights(pair, thickness, least, most)) {
           Isometry3d X_SH = Isometry3d::Identity();
           X_SH.linear() = R_SH;
           X_SH.translation() = Vector3d(p_S.x(), p_S.y(), height) - R_SH * grip->contact_H;
-          const double off = std::abs(height - thickness / 2) / kLever;
+          const double off = has_walls ? 0 : std::abs(height - thickness / 2) / kLever;
           result.all.push_back({pair, height, tilt, X_WS * X_SH,
                                 cost(pair) + kUprightTilt * std::abs(tilt) / (kPi / 2) + off});
         }
@@ -175,8 +184,7 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
   if (result.all.empty() && result.status == Status::solved) {
     result.status = Status::too_flat;
     result.reason = in_mm(thickness) + " high; the fingers touch its faces " + in_mm(lowest) +
-                    " or more over the support, which takes a height of " +
-                    in_mm(lowest + options.clearance);
+                    " or more over the support, which takes a height of " + in_mm(lowest + above);
   }
   std::stable_sort(result.all.begin(), result.all.end(),
                    [](const Grasp& a, const Grasp& b) { return a.cost < b.cost; });

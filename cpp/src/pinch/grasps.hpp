@@ -29,6 +29,17 @@ struct Grasps {
   std::string reason;
 };
 
+/// Finds walls of an object with heights that fit the hand and hold the object, or notes in
+/// `result` what the nearest of the others lack.
+std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
+                                Grasps& result);
+
+/// The sooner faces are tried, the less.
+double cost(const Faces& faces);
+
+/// Rounded length for a reason: "118 mm".
+std::string in_mm(double length);
+
 /// Finds hand poses by the lengths of hand and object alone.
 Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw);
 

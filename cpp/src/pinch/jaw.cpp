@@ -105,6 +105,21 @@ std::optional<Grip> Jaw::at_width(double width) const {
   return closed_by(apart);
 }
 
+std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
+  std::array<Eigen::AlignedBox3d, 2> boxes;
+  const std::array links{&problem_.hand.sliding_finger, &others_};
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Shapes finger(problem_, *links[i], q_open_);
+    const auto corner = [&](double sign) {
+      return Vector3d(sign * finger.extent(sign * Vector3d::UnitX()),
+                      sign * finger.extent(sign * Vector3d::UnitY()),
+                      sign * finger.extent(sign * Vector3d::UnitZ()));
+    };
+    boxes[i] = Eigen::AlignedBox3d(corner(-1), corner(1));
+  }
+  return boxes;
+}
+
 double Jaw::reach(const Grip& grip, const Vector3d& direction_H) const {
   double largest = -std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd* q : {&q_open_, &grip.q}) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,6 +51,8 @@ class Jaw {
   std::optional<Grip> at_width(double width) const;
   /// Distance between the fingers at a configuration of all joints [m].
   double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
+  /// Box around each finger of the open hand, in H [m].
+  std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
   /// How far the fingers reach along a direction of H: open, and at a grip [m].
   double reach(const Grip& grip, const Eigen::Vector3d& direction_H) const;
 

@@ -6,6 +6,7 @@
 #include "graspless/pinch/pinch.hpp"
 
 #include "pinch/grasps.hpp"
+#include "pinch/walls.hpp"
 #include "planning/plan_within.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/hand_motion.hpp"
@@ -154,6 +155,8 @@ class Search {
     plan.reason.clear();
     plan.X_WH_grasp = pinch.grasp.X_WH;
     plan.friction = pinch.grasp.faces.friction;
+    if (problem_.object.heights())
+      plan.max_mass = largest_mass(pinch.grasp.faces, problem_.hand.pad_friction, options_);
     plan.contacts_O.resize(3, 2);
     plan.contacts_O.topRows<2>() << pinch.grasp.faces.first, pinch.grasp.faces.second;
     plan.contacts_O.row(2).setConstant(pinch.grasp.height);

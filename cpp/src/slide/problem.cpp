@@ -16,6 +16,7 @@ namespace {
 
 constexpr Eigen::Index kPolledRows = 256;  // points between two polls
 constexpr double kMinFriction = 1e-6;
+constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 void check_within(const std::string& what, double value, double least, double largest,
@@ -43,7 +44,7 @@ double quantile(std::vector<double> values, double fraction) {
   return *nth;
 }
 
-std::vector<double> heights(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
+std::vector<double> heights_of(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
   if (p_OP.cols() < 3) {
     throw std::invalid_argument(what + " needs at least 3 points, not " +
                                 std::to_string(p_OP.cols()));
@@ -188,7 +189,7 @@ Object Object::prism(const std::string& name, const geometry::Polygon& outline, 
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP, double thickness) {
   const std::string what = "object '" + name + "' cloud";
-  const std::vector<double> z = heights(what, p_OP);
+  const std::vector<double> z = heights_of(what, p_OP);
   if (thickness == 0) thickness = quantile(z, 0.5);
   const geometry::Polygon outline = geometry::outline(p_OP.topRows<2>(), what);
   check_thin(what, z, thickness, least_width(outline));
@@ -221,6 +222,22 @@ Object Object::with_mass(double mass) const {
   return other;
 }
 
+Object Object::with_heights(const geometry::HeightMap& heights_O) const {
+  constexpr double kRoundOff = 1e-9;
+  const std::string what = "object '" + name_ + "' heights";
+  geometry::validate(heights_O, what);
+  if (heights_O.heights.maxCoeff() > thickness_ + kRoundOff) {
+    throw std::invalid_argument(what + " must be at most the thickness of " +
+                                std::to_string(thickness_) + " m, not " +
+                                std::to_string(heights_O.heights.maxCoeff()) + " m");
+  }
+  Object other = *this;
+  other.heights_ = heights_O;
+  other.shapes_ = geometry::columns(heights_O, kColumnStep);
+  other.solid_ = collision::Solid(other.shapes_, "object '" + name_ + "'");
+  return other;
+}
+
 Object Object::scaled(double scale) const {
   check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
   Object other(name_, scale * points(), geometry::Polygon(scale * outline_.vertices()), thickness_,
@@ -228,7 +245,11 @@ Object Object::scaled(double scale) const {
   if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
   other.com_.z() = com_.z();
   other.mass_ = mass_;
-  return other;
+  if (!heights_) return other;
+  geometry::HeightMap map = *heights_;
+  map.corner *= scale;
+  map.cell *= scale;
+  return other.with_heights(map);
 }
 
 Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& masses) {

@@ -153,6 +153,11 @@ void validate(const Problem& problem, const Options& options) {
                                 "width, not " +
                                 std::to_string(problem.object.thickness()) + " m");
   }
+  if (problem.object.heights()) {
+    throw std::invalid_argument(
+        "object '" + problem.object.name() +
+        "' has heights: a slide takes a prism, and only a pinch takes heights");
+  }
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
 }

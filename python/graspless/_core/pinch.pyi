@@ -20,7 +20,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex = 8.0, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -67,6 +67,16 @@ class Options:
     def grasps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
+    def grip_force(self) -> float:
+        """
+        Force of each finger on a wall of an object with heights, once the hand has closed: what the pads bear of its weight.
+        
+        Unit: N. Range: (0, 1000]. Default: 8.0.
+        """
+    @grip_force.setter
+    def grip_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
     def margin(self) -> float:
         """
         Least gap between the object and each finger of the open hand.
@@ -79,7 +89,7 @@ class Options:
     @property
     def max_lever(self) -> float:
         """
-        Largest distance of the centre of mass from the line through both contacts, seen from above.
+        Largest distance of the centre of mass from the line through both contacts, seen from above, of an object without heights.
         
         Unit: m. Range: [0, 1]. Default: 0.08.
         """
@@ -95,6 +105,16 @@ class Options:
         """
     @max_memory.setter
     def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def patch(self) -> float:
+        """
+        Half length of a pad's contact with a wall of an object with heights. The wall rises by as much above the contacts.
+        
+        Unit: m. Range: (0, 0.1]. Default: 0.008.
+        """
+    @patch.setter
+    def patch(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def resolution(self) -> float:
@@ -209,11 +229,13 @@ class Status(graspless._named.Named):
     Outcome of a query.
     """
     interrupted = ...
+    no_room = ...
     not_reached = ...
     out_of_memory = ...
     solved = ...
     start_in_collision = ...
     too_flat = ...
+    too_heavy = ...
     too_slippery = ...
     too_wide = ...
 class Plan:
@@ -261,6 +283,14 @@ class Plan:
         """
     @joint_names.setter
     def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
+    def max_mass(self) -> float | None:
+        """
+        Largest mass that the pads hold by a wall [kg]; None for an object without heights.
+        """
+    @max_mass.setter
+    def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def opening(self) -> float:

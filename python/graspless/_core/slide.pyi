@@ -54,6 +54,12 @@ class Object:
         
         Raises ValueError outside the object's bounding box.
         """
+    def with_heights(self, heights_O: graspless._core.geometry.HeightMap) -> Object:
+        """
+        Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism: only pinches take it.
+        
+        Raises ValueError if the map is higher than the thickness.
+        """
     def with_mass(self, mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
         Returns a copy with another mass [kg].
@@ -62,6 +68,11 @@ class Object:
     def com(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
         """
         (3,) centre of mass in O [m].
+        """
+    @property
+    def heights(self) -> graspless._core.geometry.HeightMap | None:
+        """
+        geometry.HeightMap of the object in O; None if it is a prism.
         """
     @property
     def is_thin(self) -> bool:
@@ -91,7 +102,7 @@ class Object:
     @property
     def shapes(self) -> list[graspless._core.geometry.PlacedShape]:
         """
-        PlacedShapes in O: prisms over the outline's convex parts.
+        PlacedShapes in O: prisms over the outline's convex parts, or columns of the heights.
         """
     @property
     def thickness(self) -> float:

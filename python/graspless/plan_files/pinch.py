@@ -39,6 +39,10 @@ class PinchPlanFile(PlanFields):
     joint_names: list[str]
     opening: float = Field(description="distance between the fingers of the open hand [m]")
     friction: float = Field(description="coefficient of friction that the pinch needs")
+    max_mass: float | None = Field(
+        default=None,
+        description="largest mass that the pads hold by a wall [kg]; only with heights",
+    )
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the pinch")
     contacts_O: Annotated[list[Point3], Field(max_length=2)] = Field(
         description="[2][3] contacts of the fingers in O [m]; none unless solved"

@@ -13,6 +13,8 @@ struct Options {
   double margin = 0.002;
   double clearance = 0.0015;
   double max_lever = 0.08;
+  double grip_force = 8;
+  double patch = 0.008;
   double approach = 0.08;
   int grasps = 300;
   double resolution = 0.01;
@@ -36,8 +38,16 @@ constexpr auto fields(const Options&) {
             Range::closed(0, 0.05)},
       Field{"max_lever", &Options::max_lever, "m",
             "Largest distance of the centre of mass from the line through both contacts, seen from "
-            "above.",
+            "above, of an object without heights.",
             Range::closed(0, 1)},
+      Field{"grip_force", &Options::grip_force, "N",
+            "Force of each finger on a wall of an object with heights, once the hand has closed: "
+            "what the pads bear of its weight.",
+            Range::left_open(0, 1000)},
+      Field{"patch", &Options::patch, "m",
+            "Half length of a pad's contact with a wall of an object with heights. The wall rises "
+            "by as much above the contacts.",
+            Range::left_open(0, 0.1)},
       Field{"approach", &Options::approach, "m",
             "Length of the straight motion of the open hand onto the object.",
             Range::left_open(0, 0.5)},

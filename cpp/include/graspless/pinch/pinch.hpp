@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pinches an object where it stands: two opposite faces of its outline between the fingers.
+// Pinches an object where it stands: two opposite faces of its outline, or of a wall of its
+// heights, between the fingers.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,8 @@
 
 namespace graspless::pinch {
 
-/// The same task as that of a slide: an object, given as a prism over its outline, on a support.
+/// The same task as that of a slide: an object, given as a prism over its outline or by its
+/// heights, on a support.
 using Problem = slide::Problem;
 
 enum class Status {
@@ -29,6 +32,8 @@ enum class Status {
   too_wide,
   too_flat,
   too_slippery,
+  too_heavy,
+  no_room,
   not_reached,
   interrupted,
   out_of_memory
@@ -49,6 +54,10 @@ constexpr auto choices(Status) {
           Status::too_slippery, "too_slippery",
           "No two faces are opposite each other, or those that fit the hand are too far from the "
           "centre of mass."},
+      Choice{Status::too_heavy, "too_heavy",
+             "Held by a wall that fits the hand, the object would turn in the hand or slip out."},
+      Choice{Status::no_room, "no_room",
+             "Beside each wall that fits the hand, an open finger would stand in the object."},
       Choice{Status::not_reached, "not_reached",
              "The arm reaches no hand pose, or something is in the way."},
       Choice{Status::interrupted, "interrupted", "The query was stopped from outside."},
@@ -97,6 +106,8 @@ struct Plan {
   Eigen::Matrix3Xd contacts_O;  ///< the two contacts, in O; no columns unless solved [m]
   double opening = 0;           ///< of the open hand [m]
   double friction = 0;          ///< coefficient that the pinch needs
+  /// Largest mass that the pads hold by a wall [kg]; nothing is said of an object without heights.
+  std::optional<double> max_mass;
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
 };

@@ -16,6 +16,7 @@
 #include "graspless/collision/solid.hpp"
 #include "graspless/export.hpp"
 #include "graspless/geometry/band.hpp"
+#include "graspless/geometry/height_map.hpp"
 #include "graspless/geometry/polygon.hpp"
 #include "graspless/geometry/shape.hpp"
 #include "graspless/planning/fields.hpp"
@@ -62,7 +63,10 @@ class GRASPLESS_API Object {
   bool is_thin() const;  ///< true if the thickness is at most half the least width
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
-  /// Prisms over the convex parts of the outline, in O, for collision checking.
+  /// Heights within the outline, if they are known: the object is a prism otherwise.
+  const std::optional<geometry::HeightMap>& heights() const { return heights_; }
+  /// Prisms over the convex parts of the outline, or columns of the heights, in O, for collision
+  /// checking.
   const std::vector<geometry::PlacedShape>& shapes() const { return shapes_; }
   const collision::Solid& solid() const { return solid_; }
 
@@ -71,6 +75,9 @@ class GRASPLESS_API Object {
   Object with_com(const Eigen::Vector3d& com_O) const;
   /// Returns a copy with another mass [kg]. Throws std::invalid_argument unless it is positive.
   Object with_mass(double mass) const;
+  /// Returns a copy that is as high as a map, in O, and no longer a prism: only pinches take it.
+  /// Throws std::invalid_argument unless the map is valid and nowhere higher than the thickness.
+  Object with_heights(const geometry::HeightMap& heights_O) const;
   /// Returns a copy scaled in its plane. Thickness and mass stay the same.
   Object scaled(double scale) const;
 
@@ -92,6 +99,7 @@ class GRASPLESS_API Object {
   double thickness_;
   Eigen::Vector3d com_;
   double mass_ = 0.05;
+  std::optional<geometry::HeightMap> heights_;
   std::vector<geometry::PlacedShape> shapes_;
   collision::Solid solid_;
 };

@@ -169,13 +169,28 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
     body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
     give_inertia(body, mass, com, plate_inertia(thing.outline, thickness, mass))
     body.add_freejoint(name=OBJECT)
-    for i, part in enumerate(thing.outline.convex_parts()):
-        _mark(add_prism(spec, body, part, (0.0, thickness), name=f"{OBJECT}{i}"), OBJECT)
+    if thing.heights is None:
+        for i, part in enumerate(thing.outline.convex_parts()):
+            _mark(add_prism(spec, body, part, (0.0, thickness), name=f"{OBJECT}{i}"), OBJECT)
+    else:
+        for i, placed in enumerate(thing.shapes):
+            _mark(_add_column(body, placed, variation, f"{OBJECT}{i}"), OBJECT)
     r = settings.foot_radius
     for i, p in enumerate(even_points(thing.outline, settings.feet)):
         _add_foot(body, f"{FOOT}{i}", [*p, r], settings)
     for i, p in enumerate(points_along(thing.outline, settings.rim_spacing)):
         _add_foot(body, f"{FOOT} of rim {i}", [*p, r + settings.rim_rise], settings)
+
+
+def _add_column(body: Any, placed: Any, variation: Variation, name: str) -> Any:
+    """Adds a box of the heights of an object."""
+    scale = np.array([1.0, 1.0, variation.thickness])
+    return body.add_geom(
+        name=name,
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=scale * placed.shape.size / 2,
+        pos=scale * np.asarray(placed.X_BG)[:3, 3],
+    )
 
 
 def _add_body(spec: Any, truth: Body, X_WO: Matrix, variation: Variation) -> None:

@@ -70,6 +70,7 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
         "object": {
             **struct_fields(thing, ["name", "thickness", "com", "mass"]),
             **_outline(thing),
+            **_heights(thing),
             "pose": {name: float(value) for name, value in pose.items()},
         },
         "support": {
@@ -88,6 +89,14 @@ def _usable_edges(support: slide.Support) -> dict[str, Any]:
     if len(support.usable_edges) == len(support.polygon.vertices):
         return {}
     return {"usable_edges": list(support.usable_edges)}
+
+
+def _heights(thing: slide.Object) -> dict[str, Any]:
+    """Returns the field of an object that is no prism."""
+    if thing.heights is None:
+        return {}
+    given = struct_fields(thing.heights, ["corner", "cell", "undersides"])
+    return {"heights": {**given, "rows": plain(thing.heights.heights)}}
 
 
 def _outline(thing: slide.Object) -> dict[str, Any]:

@@ -118,6 +118,9 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
             make = slide.Object.from_polygon if thin else slide.Object.prism
             built = make(thing.name, polygon, thing.thickness or 0.0, **spacing)
+        if thing.heights is not None:
+            with at(source, "object", "heights"):
+                built = built.with_heights(build_heights(thing.heights, thin=thin))
         if thing.scale != 1:
             built = built.scaled(thing.scale)
     if thing.mass is not None:
@@ -133,6 +136,15 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             masses = np.array([part.mass for part in thing.masses])
             built = built.with_com(slide.center_of_mass(points, masses))
     return built
+
+
+def build_heights(heights: model.Heights, *, thin: bool) -> geometry.HeightMap:
+    """Returns the heights of an object. Raises ValueError if it is `thin`: that of a slide."""
+    if thin:
+        raise ValueError("a slide takes a prism: heights are for a pinch")
+    rows, below = heights.rows, heights.undersides
+    undersides = None if below is None else np.array(below, dtype=float)
+    return geometry.HeightMap(heights.corner, heights.cell, np.array(rows, dtype=float), undersides)
 
 
 def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:

@@ -25,6 +25,7 @@ from ..shapes import (
     Fields,
     NotNegative,
     PlanarPose,
+    Point2,
     Point3,
     Points2,
     Pose,
@@ -60,6 +61,29 @@ class PointMass(Fields):
     mass: NotNegative = Field(description="mass [kg], or any unit shared by all")
 
 
+class Heights(Fields):
+    """Heights of an object on square cells, as a camera saw them: it is no prism."""
+
+    corner: Point2 = Field(description="least x and y of the first cell, in O [m]")
+    cell: Positive = Field(description="side of a cell [m]")
+    rows: Annotated[list[list[NotNegative]], Field(min_length=1)] = Field(
+        description="[nx][ny] heights over the support, the first index along x; 0: nothing [m]"
+    )
+    undersides: list[list[NotNegative]] | None = Field(
+        default=None,
+        description="[nx][ny] lowest heights at which the cells were seen [m]; default: they are "
+        "known to be solid",
+    )
+
+    @model_validator(mode="after")
+    def _check(self) -> Heights:
+        for name in ("rows", "undersides"):
+            lengths = {len(row) for row in getattr(self, name) or []}
+            if len(lengths) > 1:
+                raise ValueError(f"{name} must be equally long, not of {sorted(lengths)} cells")
+        return self
+
+
 class Object(Fields):
     """Thin object: an outline and a thickness, or points on its top surface."""
 
@@ -80,6 +104,9 @@ class Object(Fields):
     )
     unit: Literal["m", "mm"] = Field(default="m", description="unit of the cloud's file")
     thickness: Positive | None = Field(default=None, description="thickness [m]")
+    heights: Heights | None = Field(
+        default=None, description="heights of an object that is no prism; only of a pinch"
+    )
     spacing: Positive | None = Field(
         default=None, description="distance between contact points [m]"
     )
@@ -110,6 +137,8 @@ class Object(Fields):
                 raise ValueError("pose must not be given: a cloud in the world says where it is")
         elif self.pose is None:
             raise ValueError("pose must be given: where it lies on the support, {x, y, yaw}")
+        if has_points and self.heights is not None:
+            raise ValueError("heights are for outlines: the cloud is the top of a thin object")
         if has_points and self.spacing is not None:
             raise ValueError("spacing is for outlines: a cloud's points are the contact points")
         return self
@@ -117,6 +146,8 @@ class Object(Fields):
     def _check_scene(self) -> None:
         if self.pose is not None:
             raise ValueError("pose must not be given: the scene says where it is")
+        if self.heights is not None:
+            raise ValueError("heights must not be given with an object of a scene")
         if "name" not in self.model_fields_set:
             raise ValueError("name must be given: that of the object in the scene")
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part
+from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part, placed_part
 from ..tubes import tube
 
 if TYPE_CHECKING:
@@ -30,7 +30,19 @@ def table_body(task: Task) -> Body:
 def object_body(task: Task) -> Body:
     """Returns the object, in O."""
     thing = task.problem.object
+    if thing.heights is not None:
+        return Body("object", [_joined([placed_part(p, OBJECT) for p in thing.shapes])], True)
     return Body("object", [prism(thing.outline, 0.0, thing.thickness, OBJECT)], is_flat=True)
+
+
+def _joined(parts: list[Part]) -> Part:
+    """Returns parts of one colour as one."""
+    counts = np.cumsum([0, *(len(part.vertices) for part in parts)])
+    return Part(
+        np.concatenate([part.vertices for part in parts]),
+        np.concatenate([p.triangles + n for p, n in zip(parts, counts[:-1], strict=True)]),
+        parts[0].color,
+    )
 
 
 def prism(outline: geometry.Polygon, bottom: float, top: float, color: Color) -> Part:

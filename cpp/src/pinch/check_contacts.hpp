@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graspless/pinch/pinch.hpp"
+
+namespace graspless::pinch {
+
+/// Tests whether the contacts of a plan lie on opposite faces of the outline, near enough to the
+/// centre of mass. Returns faults.
+std::vector<std::string> faults_of_faces(const Problem& problem, const Plan& plan,
+                                         const Options& options);
+
+/// Measures the wall between the contacts of a plan anew, on an object with heights: its thickness,
+/// its slopes, how far it rises above the contacts, and the mass that the pads hold there. Returns
+/// faults.
+std::vector<std::string> faults_of_wall(const Problem& problem, const Plan& plan,
+                                        const Options& options);
+
+}  // namespace graspless::pinch

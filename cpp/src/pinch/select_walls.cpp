@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "pinch/grasps.hpp"
+#include "pinch/walls.hpp"
+
+namespace graspless::pinch {
+namespace {
+
+constexpr double kLevelStep = 0.004;  // between heights of contacts that are tried [m]
+constexpr double kAside = 0.35;       // of the width of a finger: it is round
+constexpr int kLevels = 10;
+
+/// Heights of contacts, from the top down.
+std::vector<double> levels(const Problem& problem, const Options& options) {
+  std::vector<double> found;
+  double height = problem.object.thickness() - options.patch;
+  for (int k = 0; k < kLevels && height > options.clearance; ++k, height -= kLevelStep)
+    found.push_back(height);
+  return found;
+}
+
+/// Space that the fingers take beside a wall, if the hand comes from straight above and closes.
+class Room {
+ public:
+  Room(const geometry::HeightMap& map, const Jaw& jaw)
+      : map_(map), jaw_(jaw), fingers_(jaw.open_fingers()) {}
+
+  /// By how much the object is too high where a finger goes [m]; may be negative.
+  double missing(const Faces& wall) const {
+    const std::optional<Grip> grip = jaw_.at_width(wall.width);
+    if (!grip) return std::numeric_limits<double>::infinity();
+    const Eigen::Vector2d across(std::cos(wall.yaw), std::sin(wall.yaw)),
+        along(-across.y(), across.x());
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Eigen::AlignedBox3d& finger : fingers_) {
+      const double side = finger.center().y() > grip->contact_H.y() ? 1 : -1,
+                   reach = finger.max().z() - grip->contact_H.z(), thick = finger.sizes().y(),
+                   farthest = std::max(finger.max().y(), -finger.min().y());
+      for (double y = wall.width / 2 + map_.cell; y <= farthest; y += map_.cell) {
+        const double round = std::min(1.0, (y - wall.width / 2) / (thick / 2));  // of the fingertip
+        for (const double x : {-kAside, 0.0, kAside}) {
+          const double height =
+              map_.at(wall.middle() + side * y * across + x * finger.sizes().x() * along);
+          highest = std::max(highest, height + round * reach - *wall.height);
+        }
+      }
+    }
+    return highest;
+  }
+  double from() const { return jaw_.opening() / 2; }
+  double to() const { return std::max(fingers_[0].max().y(), fingers_[1].max().y()); }
+  double depth(const Faces& wall) const {
+    return fingers_[0].max().z() - jaw_.at_width(wall.width)->contact_H.z();
+  }
+
+ private:
+  const geometry::HeightMap& map_;
+  const Jaw& jaw_;
+  std::array<Eigen::AlignedBox3d, 2> fingers_;
+};
+
+template <class Number>
+const Faces& least_of(const std::vector<Faces>& faces, const Number& number) {
+  return *std::min_element(faces.begin(), faces.end(),
+                           [&](const Faces& a, const Faces& b) { return number(a) < number(b); });
+}
+
+std::vector<Faces> refused_walls(Grasps& result, Status status, const std::string& reason) {
+  result.status = status;
+  result.reason = reason;
+  return {};
+}
+
+template <class... Numbers>
+std::string text_of(const char* format, Numbers... numbers) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+}  // namespace
+
+std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
+                                Grasps& result) {
+  const double length = std::max(jaw.open().pad, 2 * options.patch);
+  std::vector<Faces> faces = walls(*problem.object.heights(), problem.object.com(), length,
+                                   levels(problem, options), options.patch);
+  if (faces.empty()) {
+    return refused_walls(result, Status::too_flat,
+                         "no wall of " + in_mm(length) + " length rises " + in_mm(options.patch) +
+                             " above the fingers' contacts");
+  }
+  const auto keep = [&](const auto& fits) {
+    faces.erase(
+        std::remove_if(faces.begin(), faces.end(), [&](const Faces& wall) { return !fits(wall); }),
+        faces.end());
+  };
+  const auto friction = [](const Faces& wall) { return wall.friction; };
+  const double slope = friction(least_of(faces, friction));
+  keep([&](const Faces& wall) { return wall.friction <= options.friction; });
+  if (faces.empty()) {
+    return refused_walls(result, Status::too_slippery,
+                         text_of("the walls lean or bend: a coefficient of friction of %.2f is "
+                                 "needed, at most %.2f is allowed",
+                                 slope, options.friction));
+  }
+  const auto width = [](const Faces& wall) { return wall.width; };
+  const double thinnest = width(least_of(faces, width));
+  const double opening = jaw.opening() - 2 * options.margin;
+  keep([&](const Faces& wall) { return wall.width <= opening && wall.width > jaw.least_gap(); });
+  if (faces.empty()) {
+    const std::string wall = "the wall is " + in_mm(thinnest) + " thick where it is thinnest, ";
+    return refused_walls(
+        result, Status::too_wide,
+        thinnest > opening ? wall + "the hand opens " + in_mm(jaw.opening()) + " and needs " +
+                                 in_mm(options.margin) + " on each side"
+                           : wall + "the closed fingers stay " + in_mm(jaw.least_gap()) + " apart");
+  }
+  const auto mass = [&](const Faces& wall) {
+    return largest_mass(wall, problem.hand.pad_friction, options);
+  };
+  if (std::all_of(faces.begin(), faces.end(), [&](const Faces& wall) { return mass(wall) == 0; })) {
+    return refused_walls(result, Status::too_heavy,
+                         "both faces of a wall must be upright and seen " + in_mm(options.patch) +
+                             " below the fingers' contacts: no wall that fits the hand bears a "
+                             "weight that is not below it; a view from another side may help");
+  }
+  const Faces best = least_of(faces, [&](const Faces& wall) { return -mass(wall); });
+  keep([&](const Faces& wall) { return mass(wall) >= problem.object.mass(); });
+  if (faces.empty()) {
+    return refused_walls(
+        result, Status::too_heavy,
+        text_of("held by a wall that is %.0f mm from the centre of mass, the pads bear %.2f kg at "
+                "%g N a finger; it weighs %.2f kg",
+                1000 * std::hypot(best.lever, best.offset), mass(best), options.grip_force,
+                problem.object.mass()));
+  }
+  for (Faces& wall : faces) wall.load = problem.object.mass() / mass(wall);
+  const Room room(*problem.object.heights(), jaw);
+  const Faces widest = least_of(faces, [&](const Faces& wall) { return room.missing(wall); });
+  keep([&](const Faces& wall) { return room.missing(wall) <= 0; });
+  if (faces.empty()) {
+    return refused_walls(
+        result, Status::no_room,
+        text_of("the open fingers go %.0f to %.0f mm beside the middle of a wall "
+                "and %.0f mm below its contacts: the object is %.0f mm too high there",
+                1000 * room.from(), 1000 * room.to(), 1000 * room.depth(widest),
+                1000 * room.missing(widest)));
+  }
+  return faces;
+}
+
+}  // namespace graspless::pinch
