@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..machine import Row
     from ..tables import Column
 
-STRATEGIES = ("pinch", "slide", "clasp")
+STRATEGIES = ("pinch", "rim", "slide", "clasp")
 
 
 def as_result(rows: list[Row], load: Sequence[float], excluded: Mapping[str, str]) -> Row:

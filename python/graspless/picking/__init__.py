@@ -46,10 +46,10 @@ def pick(
     """Plans how a robot picks up an object of a scene.
 
     The strategies are tried in the order of the time that they usually take: pinch the object where
-    it stands; slide it to a real edge of its support and grasp it there; clasp a hole or handle.
-    Each plan ends with a lift, and holds in `check`. A strategy that cannot work is refused by
-    lengths alone, with the length that is missing. Not finding a plan is a result, never an
-    exception.
+    it stands; pinch a wall of it as the camera saw it, one finger inside and one outside; slide it
+    to a real edge of its support and grasp it there; clasp a hole or handle. Each plan ends with a
+    lift, and holds in `check`. A strategy that cannot work is refused by lengths alone, with the
+    length that is missing. Not finding a plan is a result, never an exception.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def pick(
         Of several robots, each tries a strategy before the next one is tried; `Pick.robot` is the
         one of the plan.
     strategies : sequence of str
-        Strategies to try, in this order: pinch, slide, clasp.
+        Strategies to try, in this order: pinch, rim, slide, clasp.
     place : dict, optional
         Where the object is put down after the lift, as in task files: a pose, a region or a
         support of the scene. Otherwise the plan ends with the object in the hand.

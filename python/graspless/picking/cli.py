@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--strategies",
         metavar="LIST",
-        help="strategies to try, in this order (default: pinch,slide,clasp)",
+        help="strategies to try, in this order (default: pinch,rim,slide,clasp)",
     )
     parser.add_argument(
         "--place",

@@ -25,12 +25,12 @@ def doubt(plan: Any, wish: Wish) -> str:
 
     Slides and pinches take the object for a prism as high as its top. A slide needs the measured
     height where the finger presses, and where the hand closes; a pinch needs that the object is
-    as high as the fingers.
+    as high as the fingers, unless it was planned on the measured heights.
     """
     stage = plan.stages[0]
     if stage.kind == "slide":
         return _doubt_slide(stage, wish)
-    if stage.kind == "pinch":
+    if stage.kind == "pinch" and stage.task.problem.object.heights is None:
         return _doubt_pinch(stage, wish)
     return ""
 

@@ -20,7 +20,7 @@ class Attempt:
     Attributes
     ----------
     strategy : str
-        pinch, slide or clasp; scene or place if this rules out all of them.
+        pinch, rim, slide or clasp; scene or place if this rules out all of them.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
         strategy was found before; faulty: its plan does not pass `check`; stale: the scene is too
@@ -32,7 +32,7 @@ class Attempt:
     seconds : float
         Time that it took [s].
     opening : float or None
-        Gap between the fingers of the open hand, if a pinch was tried [m].
+        Gap between the fingers of the open hand, if a pinch or a rim was tried [m].
     is_mistake : bool
         True if the description of robot, hand or object was refused.
     """

@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import geometry
 from ..errors import TaskError
-from .wish import cloud_fields, distance_to, object_fields, support_fields
+from .wish import cloud_fields, distance_to, heights_fields, object_fields, support_fields
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from .wish import Wish
 
-STRATEGIES = ("pinch", "slide", "clasp")
+STRATEGIES = ("pinch", "rim", "slide", "clasp")
+KINDS = {"rim": "pinch"}  # of the stages of strategies that are not named after theirs
 TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
 NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
 MOST = 2000  # points that are compared
@@ -67,6 +68,7 @@ class Way:
 SMOOTH = 0.0015
 WAYS = {
     "pinch": (Way(SMOOTH), Way()),
+    "rim": (Way(),),
     "slide": (Way(SMOOTH, 0.035, 2000), Way(SMOOTH)),
     "clasp": (Way(),),
 }
@@ -83,7 +85,8 @@ def chain_of(
         "line": {"direction": [0, 0, 1], "distance": wish.lift},
         "options": {"max_twist": TWIST},
     }
-    grasp = {"name": strategy, "kind": strategy, **_FIELDS[strategy](wish)}
+    kind = KINDS.get(strategy, strategy)
+    grasp = {"name": strategy, "kind": kind, **_FIELDS[strategy](wish)}
     if way.smooth > 0:
         grasp["object"] = object_fields(wish, way.smooth)
     if way.overhang is not None:
@@ -113,6 +116,10 @@ def _pinch(wish: Wish) -> dict[str, Any]:
         "support": support_fields(wish, None),
         "obstacles": wish.beside,
     }
+
+
+def _rim(wish: Wish) -> dict[str, Any]:
+    return _pinch(wish) | {"object": object_fields(wish) | {"heights": heights_fields(wish)}}
 
 
 def _slide(wish: Wish) -> dict[str, Any]:
@@ -242,11 +249,13 @@ def _narrowest(ring: Matrix) -> float:
 
 _FIELDS: dict[str, Callable[[Wish], dict[str, Any]]] = {
     "pinch": _pinch,
+    "rim": _rim,
     "slide": _slide,
     "clasp": _clasp,
 }
 _REFUSALS: dict[str, Callable[[Wish], str]] = {
     "pinch": _refuse_nothing,
+    "rim": _refuse_nothing,
     "slide": _refuse_slide,
     "clasp": _refuse_clasp,
 }

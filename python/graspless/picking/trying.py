@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .wish import Wish
 
 # Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
-SEEDS = {"pinch": 1, "slide": 8, "clasp": 1}
+SEEDS = {"pinch": 1, "rim": 1, "slide": 8, "clasp": 1}
 APART = 2**32  # between their seeds: those of `best_of` follow each other
 
 
@@ -66,7 +66,7 @@ def attempt_plan(
         return None
     finally:
         attempt.seconds += time.monotonic() - began
-    if attempt.strategy == "pinch" and plan.stages:
+    if plan.stages and plan.stages[0].kind == "pinch":
         first: Any = plan.stages[0]
         attempt.opening = float(first.opening)
     if plan or attempt.status != "solved":

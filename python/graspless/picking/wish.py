@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ..perception import Object, Support
 
 
+CELL = 0.0025  # side of the cells of a height map: pixels are about 2 mm apart [m]
 CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
 
 
@@ -141,6 +142,23 @@ def object_fields(wish: Wish, smooth: float = 0.0) -> dict[str, Any]:
         "thickness": float(wish.thing.thickness),
         "pose": place,
         **({} if wish.mass is None else {"mass": wish.mass}),
+    }
+
+
+def heights_fields(wish: Wish) -> dict[str, Any]:
+    """Returns the heights of an object as the cameras measured them: those of a pinch of a rim."""
+    thing = wish.thing
+    top = float(thing.thickness)
+    seen = geometry.seen_heights(thing.points, thing.rays, wish.outline, top, CELL)
+    rows, undersides = (
+        np.round(np.asarray(values), 4).clip(max=top).tolist()
+        for values in (seen.heights, seen.undersides)
+    )
+    return {
+        "corner": [float(value) for value in seen.corner],
+        "cell": CELL,
+        "rows": rows,
+        "undersides": undersides,
     }
 
 

@@ -75,7 +75,7 @@ class PickJob:
     K: Matrix | None = None
     points: Matrix | None = None
     at: Matrix | None = None
-    strategies: tuple[str, ...] = ("pinch", "slide", "clasp")
+    strategies: tuple[str, ...] = ("pinch", "rim", "slide", "clasp")
     respect: str = "objects"
     lift: float = 0.1
     seed: int = 1
