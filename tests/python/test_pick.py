@@ -46,7 +46,7 @@ def test_a_bar_is_pinched_where_it_stands(scene, names):
     assert found.plan.kind == "chain"
     assert [stage.kind for stage in found.plan.stages] == ["pinch", "carry"]
     assert graspless.check(found.plan) == []
-    assert [attempt.status for attempt in found.attempts] == ["solved", *3 * ["not_tried"]]
+    assert [attempt.status for attempt in found.attempts] == ["solved", *5 * ["not_tried"]]
     first, last = (found.plan.stages[k].segments[-1].object_poses[-1] for k in (0, 1))
     assert last[2, 3] - first[2, 3] == pytest.approx(0.1, abs=1e-3)
 
@@ -280,7 +280,10 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
     [
         ({"name": "spoon"}, r"name: spoon: the scene has no 'spoon' \(one of: object_0"),
         ({"robot": "no_such"}, "no such file, nor a robot that comes with graspless"),
-        ({"strategies": ["throw"]}, "strategies: throw: should be one of pinch, rim, slide, clasp"),
+        (
+            {"strategies": ["throw"]},
+            "strategies: throw: should be one of pinch, rim, slide, clasp, tumble, push",
+        ),
         ({"strategies": []}, "strategies: none"),
         ({"lift": -0.1}, "lift: -0.1"),
         ({"lift": float("nan")}, "lift: nan"),
@@ -384,7 +387,7 @@ def test_the_robot_that_reaches_it_picks_it_up(scene, names):
         ("pinch", "kr5_t42", "solved"),
         ("pinch", "wam_t42 (2)", "not_tried"),
     ]
-    assert len(tried) == 12
+    assert len(tried) == 18
     assert "kr5_t42 pinch  solved" in found.table()
     alone = graspless.pick(scene, names["bar"], "kr5_t42")
     for one, other in zip(found.plan.segments, alone.plan.segments, strict=True):
@@ -432,7 +435,7 @@ def test_an_old_scene_is_refused(scene, names, tmp_path):
         assert not found
         assert (found.attempts[0].strategy, found.attempts[0].status) == ("scene", "stale")
         assert words in found.attempts[0].reason
-        assert [attempt.status for attempt in found.attempts[1:]] == 4 * ["not_tried"]
+        assert [attempt.status for attempt in found.attempts[1:]] == 6 * ["not_tried"]
     assert asked(60, max_age=None)
     with pytest.raises(TaskError, match="max_age: 0"):
         asked(0, max_age=0.0)

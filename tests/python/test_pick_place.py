@@ -188,7 +188,7 @@ def test_a_region(scene, names):
 def test_places_that_cannot_be(scene, names, place, words):
     found = graspless.pick(scene, names["bar"], "wam_t42", place=place)
     assert not found
-    assert [attempt.status for attempt in found.attempts] == ["refused", *4 * ["not_tried"]]
+    assert [attempt.status for attempt in found.attempts] == ["refused", *6 * ["not_tried"]]
     assert found.attempts[0].strategy == "place"
     assert words in found.attempts[0].reason
     assert f"place: {found.attempts[0].reason}" in found.reason

@@ -47,9 +47,10 @@ def pick(
 
     The strategies are tried in the order of the time that they usually take: pinch the object where
     it stands; pinch a wall of it as the camera saw it, one finger inside and one outside; slide it
-    to a real edge of its support and grasp it there; clasp a hole or handle. Each plan ends with a
-    lift, and holds in `check`. A strategy that cannot work is refused by lengths alone, with the
-    length that is missing. Not finding a plan is a result, never an exception.
+    to a real edge of its support and grasp it there; clasp a hole or handle; tumble or push it with
+    two fingertips to where it can be pinched or slid. Each plan ends with a lift, and holds in
+    `check`. A strategy that cannot work is refused by lengths alone, with the length that is
+    missing. Not finding a plan is a result, never an exception.
 
     Parameters
     ----------
@@ -62,7 +63,7 @@ def pick(
         Of several robots, each tries a strategy before the next one is tried; `Pick.robot` is the
         one of the plan.
     strategies : sequence of str
-        Strategies to try, in this order: pinch, rim, slide, clasp.
+        Strategies to try, in this order: pinch, rim, slide, clasp, tumble, push.
     place : dict, optional
         Where the object is put down after the lift, as in task files: a pose, a region or a
         support of the scene. Otherwise the plan ends with the object in the hand.
@@ -71,7 +72,7 @@ def pick(
     respect : str
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
-        Mass of the object for simulations [kg].
+        Mass of the object [kg]: needed to tumble and push it, otherwise for simulations alone.
     max_age : float, optional
         Largest age of the images of the scene [s]. An older scene, and one without a `stamp`, is
         refused.
@@ -179,8 +180,13 @@ def _require_usable(found: Pick) -> None:
 
 def duration(plan: Plan) -> float:
     """Returns the least duration of a plan at the speed limits of the joints [s]."""
+    stages: tuple[Any, ...] = plan.stages
+    motions = [
+        (stage, stage.joint_segments if stage.kind == "fingertip" else stage.segments)
+        for stage in stages
+    ]
     return sum(
-        least_seconds(stage, segment) or 0.0 for stage in plan.stages for segment in stage.segments
+        least_seconds(stage, segment) or 0.0 for stage, segments in motions for segment in segments
     )
 
 

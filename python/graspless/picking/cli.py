@@ -24,8 +24,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.formatter_class = parsers.RawDescriptionHelpFormatter
     parser.description = (
         "Plan how a robot picks up an object of a scene: pinch it where it stands, slide it to an\n"
-        "edge and grasp it there, or clasp a hole or handle of it, and lift it. The plan is a\n"
-        "chain; if there is none, the table says why not for each strategy."
+        "edge and grasp it there, clasp a hole or handle of it, or first tumble or push it with\n"
+        "two fingertips, and lift it. The plan is a chain; if there is none, the table says why\n"
+        "not for each strategy."
     )
     parser.epilog = (
         f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
@@ -48,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--strategies",
         metavar="LIST",
-        help="strategies to try, in this order (default: pinch,rim,slide,clasp)",
+        help="strategies to try, in this order (default: pinch,rim,slide,clasp,tumble,push)",
     )
     parser.add_argument(
         "--place",
@@ -67,7 +68,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--max-age", type=float, metavar="S", help="refuse a scene whose images are older [s]"
     )
-    parser.add_argument("--mass", type=float, metavar="KG", help="mass in simulations [kg]")
+    parser.add_argument(
+        "--mass", type=float, metavar="KG", help="mass, needed to tumble and push [kg]"
+    )
     parser.add_argument(
         "--best-of", type=int, metavar="N", help="find N plans and keep the shortest (default: 1)"
     )

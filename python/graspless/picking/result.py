@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from ..chain import Plan
 
 NOT_TRIED, REFUSED, FAULTY, STALE = "not_tried", "refused", "faulty", "stale"
+NOT_FOUND = "not_found"
 
 
 @dataclass
@@ -20,13 +21,14 @@ class Attempt:
     Attributes
     ----------
     strategy : str
-        pinch, rim, slide or clasp; scene or place if this rules out all of them.
+        pinch, rim, slide, clasp, tumble or push; scene or place if this rules out all of them.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
         strategy was found before; faulty: its plan does not pass `check`; stale: the scene is too
-        old; otherwise the status of its plan.
+        old; not_found: no tumble or push leads to a grasp; otherwise the status of its plan.
     reason : str
-        One sentence; empty if it was solved or not tried. A clasp that was solved has a warning.
+        One sentence; empty if it was not tried. Of those that were solved, a clasp has a warning,
+        and a tumble or push says which one it is.
     robot : str
         Name of the robot that tried it.
     seconds : float
@@ -121,4 +123,4 @@ class Pick:
         return "\n".join(lines)
 
 
-__all__ = ["FAULTY", "NOT_TRIED", "REFUSED", "STALE", "Attempt", "Pick"]
+__all__ = ["FAULTY", "NOT_FOUND", "NOT_TRIED", "REFUSED", "STALE", "Attempt", "Pick"]

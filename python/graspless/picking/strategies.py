@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from .wish import Wish
 
-STRATEGIES = ("pinch", "rim", "slide", "clasp")
+STRATEGIES = ("pinch", "rim", "slide", "clasp", "tumble", "push")
 KINDS = {"rim": "pinch"}  # of the stages of strategies that are not named after theirs
 TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
 NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
@@ -107,7 +107,7 @@ def refusal(strategy: str, wish: Wish, opening: float | None) -> str:
     height = float(wish.thing.thickness)
     if strategy == "slide" and opening is not None and height > opening:
         return f"{1000 * height:.0f} mm high, the hand opens {1000 * opening:.0f} mm at the edge"
-    return _covered(wish) or _REFUSALS[strategy](wish)
+    return covered(wish) or _REFUSALS[strategy](wish)
 
 
 def _pinch(wish: Wish) -> dict[str, Any]:
@@ -130,7 +130,7 @@ def _clasp(wish: Wish) -> dict[str, Any]:
     return {"object": cloud_fields(wish), "obstacles": wish.around}
 
 
-def _covered(wish: Wish) -> str:
+def covered(wish: Wish) -> str:
     """Says what lies over the object."""
     own = wish.outline
     for other in wish.others:

@@ -37,7 +37,7 @@ class PickTask(Fields):
     max_age: Positive | None = Field(
         default=None, description="largest age of the images of the scene [s]"
     )
-    mass: Positive | None = Field(default=None, description="mass in simulations [kg]")
+    mass: Positive | None = Field(default=None, description="mass, needed to tumble and push [kg]")
     best_of: Annotated[int, Field(ge=1)] = Field(
         default=1, description="number of plans, of which the shortest is kept"
     )

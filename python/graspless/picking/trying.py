@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,8 @@ from ..errors import OutOfTimeError, TaskError
 from ..tasks import task_from_dict
 from . import place as places
 from .measured import doubt
-from .result import FAULTY, REFUSED
+from .moving import MOVING, moving_of
+from .result import FAULTY, NOT_FOUND, REFUSED
 from .strategies import LEAST_SECONDS, WAYS, chain_of, explained, refusal
 
 if TYPE_CHECKING:
@@ -52,6 +54,8 @@ def attempt_plan(
     """
     began = time.monotonic()
     try:
+        if attempt.strategy in MOVING:
+            return _move(attempt, wish, target, opening, seed, seconds)
         attempt.reason = refusal(attempt.strategy, wish, opening)
         if attempt.reason:
             attempt.status = REFUSED
@@ -78,6 +82,39 @@ def attempt_plan(
         attempt.status, attempt.reason = FAULTY, faults[0]
         return None
     return plan if plan else None
+
+
+def _move(
+    attempt: Attempt,
+    wish: Wish,
+    target: Target | None,
+    opening: float | None,
+    seed: int,
+    seconds: float,
+) -> Plan | None:
+    """Plans a strategy whose object fingertips move before it is grasped."""
+    began = time.monotonic()
+    moving = moving_of(attempt.strategy, wish, opening)
+    if isinstance(moving, str):
+        attempt.status, attempt.reason = REFUSED, moving
+        return None
+    doubted = ""
+    for found in moving.plans(seed, seconds):
+        plan = found.plan
+        if target is not None:
+            is_same = target.support.name == found.wish.support.name
+            support = found.wish.support if is_same else target.support
+            there = dataclasses.replace(target, wish=found.wish, support=support)
+            left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
+            plan, doubted = _placed(plan, there, found.document, left)
+            faults = [] if doubted else check(plan)
+            doubted = doubted or next(iter(faults), "")
+        if not doubted:
+            attempt.status, attempt.reason = "solved", found.words
+            return plan
+    if attempt.status != "solved":
+        attempt.status, attempt.reason = NOT_FOUND, doubted or moving.reason()
+    return None
 
 
 def _plan(
@@ -113,7 +150,7 @@ def _plan(
 
 def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[Plan, str]:
     """Adds the stage that puts the object down. Returns the plan, and why it has no such stage."""
-    stage = places.stage_of(target, plan.stages[0])
+    stage = places.stage_of(target, plan.stages[-2])
     if isinstance(stage, str):
         return plan, f"picked up, but not put down: {stage}"
     whole = document | {"stages": [*document["stages"], stage]}

@@ -124,7 +124,8 @@ def segment_line(plan: Plan, segment: Any) -> str:
 
 def least_seconds(plan: Plan, segment: Any) -> float | None:
     """Returns a segment's least duration at the joints' speed limits [s]; None without limits."""
-    speed = np.asarray(plan.task.problem.robot.max_velocity)
+    task: Any = plan.task
+    speed = np.asarray((task.arm or task.problem).robot.max_velocity)
     if len(segment) < 2 or not np.isfinite(speed).all() or (speed <= 0).any():
         return None
     return float((np.abs(np.diff(segment.positions, axis=0)) / speed).max(axis=1).sum())

@@ -1,0 +1,252 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Strategies tumble and push: fingertips move a block to where a pinch or a slide grasps it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import pinch
+from .._api import check, plan_since
+from ..tasks import task_from_dict
+from .block import Block, block_of, level, wish_at
+from .fingertips import Fingertips, fingertips_of
+from .moves import MOVES, Move, misplaced
+from .strategies import LEAST_SECONDS, WAYS, chain_of, covered, refusal
+
+if TYPE_CHECKING:
+    from ..chain import Plan
+    from .wish import Wish
+
+MOVING = tuple(MOVES)
+GRASPS = ("pinch", "slide")  # that can follow, in this order
+# Placements that the fingertip planner likes best are often out of a hand's reach; others are found
+# with other bounds on the distance of the fingertips, as parts of that when the hand is open.
+SPANS = (1.25, 1.0, 1.6, 0.75)
+STABILITIES = (1.0, 0.5)  # least disturbance that every moment withstands; less fails in MuJoCo [N]
+# A plan for single values of friction was lost in MuJoCo where friction was a tenth lower.
+TIP_FRICTION, FLOOR_FRICTION = [0.63, 0.77], [0.45, 0.55]
+REALIZE = {"restarts": 6, "solutions": 1}
+ATTEMPTS = 2  # of a chain: with another seed, the grasp may continue from the motion
+TRIAL_SECONDS = 1.0  # for a grasp where a motion would end
+TRIAL_ITERATIONS = 2000
+
+
+@dataclass(frozen=True)
+class Found:
+    """A chain that passes its check.
+
+    Attributes
+    ----------
+    plan : chain.Plan
+    document : dict
+        Its task.
+    wish : Wish
+        The wish with the block where it is grasped.
+    words : str
+        Description of the motion and of what fits the hand after it.
+    """
+
+    plan: Plan
+    document: dict[str, Any]
+    wish: Wish
+    words: str
+
+
+def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
+    """Returns what can be planned, or why lengths or the robot rule it out, in one sentence.
+
+    `opening` is that of the hand, as far as another strategy knows it [m].
+    """
+    if reason := covered(wish):
+        return reason
+    flat = level(wish)
+    if isinstance(flat, str):
+        return flat
+    block = block_of(flat)
+    if isinstance(block, str):
+        return block
+    trial = _trial("pinch", flat, 1, TRIAL_SECONDS)
+    if opening is None:
+        first: Any = trial.stages[0]
+        opening = float(first.opening)
+    base = np.asarray(wish.model.X_WB)[:2, 3]
+    every = [(move, _grasps(move.goal, wish, opening)) for move in MOVES[strategy](block, base)]
+    fitting = sorted((one for one in every if one[1]), key=lambda one: GRASPS.index(one[1][0]))
+    if not fitting:
+        return _fits_nowhere(strategy, block, opening)
+    tips = fingertips_of(trial.stages[0].task.problem)
+    if isinstance(tips, str):
+        return f"needs fingertips of two fingers: {tips}"
+    if wish.mass is None:
+        return "its mass is needed (`mass`): fingertips must not press harder than they can"
+    wrong = [misplaced(move, flat) for move, _ in fitting]
+    if all(wrong):
+        return f"{fitting[0][0].words}, {wrong[0]}"
+    return Moving(strategy, flat, block, tips, opening, fitting)
+
+
+def _grasps(goal: Block, wish: Wish, opening: float) -> list[str]:
+    """Returns the grasps that lengths allow at a goal."""
+    fits = ["pinch"] if min(goal.sides) <= opening - 2 * pinch.Options().margin else []
+    is_low = goal.height <= min(opening, min(goal.sides) / 2)
+    return [*fits, "slide"] if is_low and wish.real_edges else fits
+
+
+def _fits_nowhere(strategy: str, block: Block, opening: float) -> str:
+    what = f"{block.text}: no side fits the {1000 * opening:.0f} mm hand"
+    if strategy == "push":
+        what += " as it stands"
+    narrowest = float(min(block.sides if strategy == "push" else block.size))
+    needed = narrowest + 2 * pinch.Options().margin
+    more = needed - opening
+    return f"{what}; one that opens {1000 * needed:.0f} mm (+{1000 * more:.0f} mm) would do"
+
+
+def _trial(grasp: str, wish: Wish, seed: int, seconds: float) -> Plan:
+    """Returns a grasp and lift of the object where it stands."""
+    document = chain_of(grasp, wish, seed, seconds, WAYS[grasp][0])
+    task = task_from_dict(document, grasp, resolve=True)
+    plan: Plan = plan_since(task.with_changes(iterations=TRIAL_ITERATIONS), time.monotonic())
+    return plan
+
+
+@dataclass
+class Moving:
+    """A block that fingertips move before it is grasped.
+
+    Attributes
+    ----------
+    strategy : str
+        tumble or push.
+    wish : Wish
+        The wish with a level support.
+    block : Block
+    tips : Fingertips
+    opening : float
+        Of the hand [m].
+    moves : list of (Move, list of str)
+        Motions after which the sides of the block fit grasps, and these grasps.
+    """
+
+    strategy: str
+    wish: Wish
+    block: Block
+    tips: Fingertips
+    opening: float
+    moves: list[tuple[Move, list[str]]]
+    reasons: list[tuple[int, str]] = field(default_factory=list)
+
+    def plans(self, seed: int, seconds: float) -> Iterator[Found]:
+        """Yields chains that pass their check.
+
+        What became of the others is in `reasons`.
+        """
+        began = time.monotonic()
+
+        def left() -> float:
+            return max(seconds - (time.monotonic() - began), LEAST_SECONDS)
+
+        for move, grasps in self.moves:
+            if wrong := misplaced(move, self.wish):
+                self._note(0, f"{move.words}, {wrong}")
+                continue
+            there = wish_at(self.wish, move.goal)
+            for grasp in grasps:
+                if left() <= LEAST_SECONDS:
+                    self._note(0, "no time was left for the others")
+                    return
+                if not self._is_graspable(grasp, there, move, seed, min(left(), TRIAL_SECONDS)):
+                    continue
+                found = self._chain(move, grasp, there, seed, left)
+                if found is not None:
+                    yield found
+
+    def reason(self) -> str:
+        """Returns what became of the motion that came farthest, and the number of all."""
+        rank = max(rank for rank, _ in self.reasons)
+        texts = [text for one, text in self.reasons if one == rank]
+        return f"none of {len(self.reasons)} ways; {texts[0]}"
+
+    def _note(self, rank: int, text: str) -> None:
+        self.reasons.append((rank, text))
+
+    def _success(self, move: Move, grasp: str) -> str:
+        goal, hand = move.goal, f"the hand opens {1000 * self.opening:.0f} mm"
+        if grasp == "pinch":
+            return f"{move.words}: {1000 * min(goal.sides):.0f} mm wide there, {hand}"
+        return f"{move.words}: {1000 * goal.height:.0f} mm high there, {hand}"
+
+    def _is_graspable(self, grasp: str, there: Wish, move: Move, seed: int, seconds: float) -> bool:
+        """True if the arm can grasp the block where a motion ends: found out before it is planned.
+
+        A grasp takes milliseconds, a motion by fingertips many times that.
+        """
+        why = refusal(grasp, there, self.opening)
+        if not why:
+            trial = _trial(grasp, there, seed, seconds)
+            why = "" if trial else str(trial.reason)
+        if why:
+            self._note(1, f"{move.words}, {why}")
+        return not why
+
+    def _chain(self, move: Move, grasp: str, there: Wish, seed: int, left: Any) -> Found | None:
+        """Returns the first chain that passes its check, of several bounds on the fingertips."""
+        why, rank = "", 2
+        for stability in STABILITIES:
+            for span in SPANS:
+                document = self._document(move, grasp, there, seed, left(), span, stability)
+                task = task_from_dict(document, self.strategy, resolve=True)
+                plan: Plan = plan_since(task, time.monotonic())
+                faults = check(plan) if plan else []
+                if plan and not faults:
+                    return Found(plan, document, there, self._success(move, grasp))
+                failed = faults[0] if faults else str(plan.reason)
+                reached = len(plan.stages) + (3 if faults else 1)
+                why, rank = (failed, reached) if reached > rank or not why else (why, rank)
+                if left() <= LEAST_SECONDS:
+                    break
+        self._note(rank, f"{move.words}, {why}")
+        return None
+
+    def _document(
+        self, move: Move, grasp: str, there: Wish, seed: int, seconds: float, span: float,
+        stability: float,
+    ) -> dict[str, Any]:  # fmt: skip
+        """Returns the chain: fingertips move the block, then it is grasped and lifted."""
+        document = chain_of(grasp, there, seed, seconds, WAYS[grasp][0])
+        tips = self.tips
+        moved = {
+            "name": self.strategy,
+            "kind": "fingertip",
+            "object": {
+                "name": there.name,
+                "box": [float(side) for side in self.block.size],
+                "mass": there.mass,
+            },
+            "floor": {"height": float(np.asarray(there.support.X_WS)[2, 3])},
+            "fingers": {
+                "count": 2,
+                "radius": tips.radius,
+                "max_span": span * tips.apart,
+                "friction": TIP_FRICTION,
+            },
+            "friction": FLOOR_FRICTION,
+            "motion": move.motion,
+            "obstacles": there.beside,
+            "carrier": {"fingertips": tips.frames, "links": [[link] for link in tips.links]},
+            "realize": REALIZE,
+            "options": {"min_stability": stability, "max_regrasps": 0, "explain": False},
+        }
+        first, *others = document["stages"]
+        thing = {key: value for key, value in first["object"].items() if key != "pose"}
+        stages = [moved, {**first, "object": thing}, *others]
+        return document | {"stages": stages, "options": {"attempts": ATTEMPTS}}
+
+
+__all__ = ["MOVING", "Moving", "moving_of"]
