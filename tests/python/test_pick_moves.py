@@ -184,7 +184,8 @@ def test_the_plan_holds_over_its_interval_of_friction(tumbled):
     fields = moved.task.fields
     assert fields.friction == [0.45, 0.55]
     assert fields.fingers.friction == [0.63, 0.77]
-    assert moved.task.options.min_stability >= 0.5
+    assert moved.task.options.min_stability >= 1.0
+    assert max(segment.scrub for segment in moved.joint_segments) <= 0.0015
 
 
 def test_a_chain_of_a_pick_is_saved_loaded_and_timed(tumbled, tmp_path):
