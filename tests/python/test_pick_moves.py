@@ -197,6 +197,32 @@ def test_a_chain_of_a_pick_is_saved_loaded_and_timed(tumbled, tmp_path):
     assert np.all(np.diff(trajectory.times) > 0)
 
 
+def test_a_tumble_and_its_pinch_hold_in_mujoco(tumbled):
+    pytest.importorskip("mujoco")
+    from graspless import simulation
+
+    found = simulation.simulate(tumbled.plan, trials=2, record=True)
+    assert found, [trial.failures for trial in found.trials]
+    for trial in found.trials:
+        assert trial.measures["kept"] == 1.0
+        assert trial.measures["left_error"] < 2e-3
+    film = found.trials[0].recording
+    assert np.all(np.diff(film.times) > 0)
+    assert {"tumble", "retreat", "close", "hold"} <= set(film.names)
+    off = np.linalg.norm(film.object_poses[:, :3, 3] - film.planned_poses[:, :3, 3], axis=1)
+    assert off.max() < 5e-3  # in one frame of the object throughout
+
+
+def test_what_is_lost_by_the_fingertips_is_not_grasped(tumbled):
+    pytest.importorskip("mujoco")
+    from graspless.simulation import chain
+    from graspless.simulation.variation import Variation
+
+    trial = chain.run(tumbled.plan, Variation(friction=0.2, support_friction=0.2))
+    assert trial.failures == ("fingers_lost",)
+    assert "kept" not in trial.measures
+
+
 def test_what_was_tumbled_is_put_down(between_walls):
     scene, name = between_walls
     place = {"pose": {"x": 0.5, "y": 0.22}}

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Simulation of chains: a slide or a pinch followed by carries, executed in one run.
 
+Before them, an arm may have moved the object with its fingertips: a run before that one.
+
 The carries replace the lift by 10 cm of a slide or a pinch alone. If the last one puts the object
 down, the hand opens, withdraws, and the object must stand where it was put. A chain of a slide or a
 pinch alone is simulated as that one. Other chains are not simulated.
@@ -17,6 +19,7 @@ import numpy as np
 
 from .. import timing
 from ..errors import TaskError
+from . import moved
 from .results import Trial
 from .settings import Slide
 from .slide import FAILURES as SLIDE_FAILURES
@@ -35,10 +38,12 @@ if TYPE_CHECKING:
 
 OPEN, RETREAT, REST = "open", "retreat", "rest"
 FAILURES = {
+    **moved.FAILURES,
     **SLIDE_FAILURES,
     "not_placed": "the object did not stand free of the hand, where it was to be put down",
 }
 MEASURES = {
+    **moved.MEASURES,
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 if the hand still held the object at the end as it had grasped it",
     "carried": "distance that the hand moved the object, from squeeze to hold [m]",
@@ -61,11 +66,31 @@ def run(
     `truth` is simulated in place of the object that the plan knows.
     """
     require_simulated(plan.task)
-    if len(plan.stages) == 1:
-        first: Any = plan.stages[0]
-        return execute(first, variation, record=record, settings=settings)
     start = time.perf_counter()
-    execution = _Carried(plan, variation, settings or Slide(), truth)
+    if plan.stages[0].kind != "fingertip":
+        return _executed(plan.stages, variation, record, settings, truth)
+    before = moved.move(plan, variation)
+    done = Trial(variation, tuple(before.failures), before.measures, 0.0, before.recording)
+    if not before.failures:
+        after = _executed(plan.stages[1:], before.variation, record, settings, truth)
+        film = after.recording and moved.joined(before.recording, after.recording, plan)
+        done = Trial(variation, after.failures, before.measures | after.measures, 0.0, film)
+    film = done.recording if record else None
+    return dataclasses.replace(done, seconds=time.perf_counter() - start, recording=film)
+
+
+def _executed(
+    stages: Sequence[Any],
+    variation: Variation,
+    record: bool,
+    settings: Slide | None,
+    truth: Body | None,
+) -> Trial:
+    """Executes a slide or a pinch, and the carries after it."""
+    if len(stages) == 1:
+        return execute(stages[0], variation, record=record, settings=settings)
+    start = time.perf_counter()
+    execution = _Carried(stages, variation, settings or Slide(), truth)
     if record:
         execution.record()
     execution.run()
@@ -74,33 +99,40 @@ def run(
         tuple(execution.judge.failures),
         execution.measures,
         time.perf_counter() - start,
-        _with_plan(execution.recording(), plan) if record else None,
+        _with_plan(execution.recording(), stages) if record else None,
     )
 
 
 def start(plan: Plan, variation: Variation) -> Running:
     """Returns the execution of a solved plan, to be run step by step."""
     require_simulated(plan.task)
+    first: Any = plan.stages[0]
+    if first.kind == "fingertip":
+        raise TaskError("a chain that begins with fingertips does not run step by step")
     if len(plan.stages) == 1:
-        first: Any = plan.stages[0]
         return running(Execution(first, variation, Slide()))
-    return running(_Carried(plan, variation, Slide()))
+    return running(_Carried(plan.stages, variation, Slide()))
 
 
 def require_simulated(task: Any) -> None:
-    """Raises TaskError unless a chain is a slide or a pinch, and the carries after it."""
-    first, *others = kinds = [stage.kind for stage in task.problem.stages]
+    """Raises TaskError unless a chain is a slide or a pinch, and the carries after it.
+
+    Fingertips that an arm carries may come first.
+    """
+    kinds = [stage.kind for stage in task.problem.stages]
+    has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
+    first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
     if first not in ("slide", "pinch") or set(others) - {"carry"}:
         raise TaskError(
             f"a chain of {', '.join(kinds)} is not simulated (a slide and the carries after it, or "
-            "a pinch and these, are): plan its stages as tasks of their own, and simulate those "
-            "plans"
+            "a pinch and these, are, also after one motion by the fingertips of an arm): plan its "
+            "stages as tasks of their own, and simulate those plans"
         )
 
 
-def _with_plan(recording: Recording, plan: Plan) -> Recording:
+def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:
     """Adds the planned poses of the object to a recording: on the support, then in the hand."""
-    first, *carries = plan.stages
+    first, *carries = stages
     poses = timing.time(first).followed(recording.names, recording.times)
     after = np.isin(recording.names, (RAISE, HOLD, OPEN, RETREAT, REST))
     if after.any():
@@ -117,10 +149,13 @@ class _Carried(Execution):
     """Execution of a slide or pinch whose lift is replaced by the carries of the plan."""
 
     def __init__(
-        self, plan: Plan, variation: Variation, settings: Slide, truth: Body | None = None
+        self,
+        stages: Sequence[Any],
+        variation: Variation,
+        settings: Slide,
+        truth: Body | None = None,
     ) -> None:
-        first: Any = plan.stages[0]
-        carries = plan.stages[1:]
+        first, *carries = stages
 
         def control(timestep: float) -> Program:
             program = make_program(first, timing.time(first), timestep, settings)
@@ -132,7 +167,7 @@ class _Carried(Execution):
             first,
             variation,
             settings,
-            obstacles_of(plan.stages),
+            obstacles_of(stages),
             control,
             truth,
             standing=None if places is None else places.on,
