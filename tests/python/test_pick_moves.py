@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames, geometry, perception
+from graspless import frames, geometry, perception, picking
 from graspless.cli import main
 from graspless.picking import duration
 from graspless.picking.block import Block, block_of, level, wish_at
@@ -331,3 +331,11 @@ def test_the_command_and_the_task_file(between_walls, tmp_path, capsys, monkeypa
     assert main(["check", "plan.json"]) == 0
     assert main(["pick", "scene.yaml", name, "--robot", TIPS, "--strategies", "tumble"]) == 1
     assert "its mass is needed" in capsys.readouterr().out
+
+
+def test_what_a_hand_cannot_do_takes_no_time_of_the_others(between_walls):
+    scene, name = between_walls
+    for robot, waiting in (("wam_t42", 2), (TIPS, 4)):
+        found = graspless.pick(scene, name, robot, seconds=0.5)
+        assert found.attempts[0].strategy == "pinch"
+        assert picking._waiting(found.attempts, 1) == waiting

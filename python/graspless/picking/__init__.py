@@ -13,6 +13,7 @@ from .._arguments import require_integer
 from ..errors import TaskError
 from ..report import least_seconds
 from . import place as places
+from .moving import MOVING
 from .result import NOT_TRIED, REFUSED, STALE, Attempt, Pick
 from .strategies import STRATEGIES, require_strategies
 from .trying import attempt_plan
@@ -139,7 +140,7 @@ def _search(
                 continue
             same = (other for other in found.attempts if other.robot == attempt.robot)
             opening = next((a.opening for a in same if a.opening is not None), None)
-            share = left / (len(found.attempts) - i)
+            share = left / _waiting(found.attempts, i)
             seed = (budget.seed + k) % 2**64
             wish = wishes[attempt.robot]
             plan = attempt_plan(attempt, wish, target, opening, seed, share)
@@ -147,6 +148,13 @@ def _search(
                 plans.append((plan, attempt.robot))
     if plans:
         found.plan, found.robot = min(plans, key=lambda one: duration(one[0]))
+
+
+def _waiting(attempts: Sequence[Attempt], i: int) -> int:
+    """Returns the number of attempts from one on, without those whose hand cannot do them."""
+    still = {a.robot for a in attempts if not a.moves}
+    return sum(k == i or a.strategy not in MOVING or a.robot not in still
+               for k, a in enumerate(attempts) if k >= i)  # fmt: skip
 
 
 def labelled(robot: Any) -> dict[str, Any]:

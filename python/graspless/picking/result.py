@@ -35,6 +35,8 @@ class Attempt:
         Time that it took [s].
     opening : float or None
         Gap between the fingers of the open hand, if a pinch or a rim was tried [m].
+    moves : bool
+        False if a pinch was tried and its hand cannot tumble or push: it has no round fingertips.
     is_mistake : bool
         True if the description of robot, hand or object was refused.
     """
@@ -45,6 +47,7 @@ class Attempt:
     robot: str = ""
     seconds: float = 0.0
     opening: float | None = field(default=None, repr=False)
+    moves: bool = field(default=True, repr=False)
     is_mistake: bool = field(default=False, repr=False)
 
 

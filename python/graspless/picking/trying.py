@@ -13,6 +13,7 @@ from .._api import check, plan_since
 from ..errors import OutOfTimeError, TaskError
 from ..tasks import task_from_dict
 from . import place as places
+from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
 from .result import FAULTY, NOT_FOUND, REFUSED
@@ -73,6 +74,7 @@ def attempt_plan(
     if plan.stages and plan.stages[0].kind == "pinch":
         first: Any = plan.stages[0]
         attempt.opening = float(first.opening)
+        attempt.moves = isinstance(fingertips_of(first.task.problem), Fingertips)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
     if doubted:
