@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -86,7 +87,7 @@ def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
     if isinstance(tips, str):
         return f"needs fingertips of two fingers: {tips}"
     if wish.mass is None:
-        return "its mass is needed (`mass`): fingertips must not press harder than they can"
+        return "its mass is needed (`mass`): the fingertips bear a part of its weight"
     wrong = [misplaced(move, flat) for move, _ in fitting]
     if all(wrong):
         return f"{fitting[0][0].words}, {wrong[0]}"
@@ -210,19 +211,18 @@ class Moving:
     def _chain(self, move: Move, grasp: str, there: Wish, seed: int, left: Any) -> Found | None:
         """Returns the first chain that passes its check, of several bounds on the fingertips."""
         why, rank = "", 2
-        for stability in STABILITIES:
-            for span in SPANS:
-                document = self._document(move, grasp, there, seed, left(), span, stability)
-                task = task_from_dict(document, self.strategy, resolve=True)
-                plan: Plan = plan_since(task, time.monotonic())
-                faults = (_scrubbing(plan) or check(plan)) if plan else []
-                if plan and not faults:
-                    return Found(plan, document, there, self._success(move, grasp))
-                failed = faults[0] if faults else str(plan.reason)
-                reached = len(plan.stages) + (3 if faults else 1)
-                why, rank = (failed, reached) if reached >= rank else (why, rank)
-                if left() <= LEAST_SECONDS:
-                    break
+        for stability, span in itertools.product(STABILITIES, SPANS):
+            document = self._document(move, grasp, there, seed, left(), span, stability)
+            task = task_from_dict(document, self.strategy, resolve=True)
+            plan: Plan = plan_since(task, time.monotonic())
+            faults = (_scrubbing(plan) or check(plan)) if plan else []
+            if plan and not faults:
+                return Found(plan, document, there, self._success(move, grasp))
+            failed = faults[0] if faults else str(plan.reason)
+            reached = len(plan.stages) + (3 if faults else 1)
+            why, rank = (failed, reached) if reached >= rank else (why, rank)
+            if left() <= LEAST_SECONDS:
+                break
         self._note(rank, f"{move.words}, {why}")
         return None
 
