@@ -335,7 +335,7 @@ def test_the_command_and_the_task_file(between_walls, tmp_path, capsys, monkeypa
 
 def test_what_a_hand_cannot_do_takes_no_time_of_the_others(between_walls):
     scene, name = between_walls
-    for robot, waiting in (("wam_t42", 2), (TIPS, 4)):
+    for robot, waiting in (("wam_t42", 3), (TIPS, 5)):
         found = graspless.pick(scene, name, robot, seconds=0.5)
         assert found.attempts[0].strategy == "pinch"
         assert picking._waiting(found.attempts, 1) == waiting
