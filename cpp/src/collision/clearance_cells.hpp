@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// An unlimited grid. Each cell stores the distance of its centre from a surface, and is subdivided
-// into 64 cells on demand.
+// An unlimited grid. Cells store distances of their centres, and are cut into 64 on demand.
 #pragma once
 
 #include <array>

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "graspless/fingertip/fingertip.hpp"
@@ -14,7 +13,8 @@
 #include "graspless/mechanics/stability.hpp"
 #include "graspless/mechanics/withstands.hpp"
 
-#include "mechanics/lp/program.hpp"
+#include "fingertip/check/instant.hpp"
+#include "fingertip/check/stability.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
 /// and the contract in fingertip.hpp, so that a mistake of the search cannot hide here. Of this
@@ -27,67 +27,6 @@ namespace graspless::fingertip::checking {
 using Faults = std::vector<std::string>;
 using Poses = std::vector<Eigen::Isometry3d>;
 using mechanics::Vector6d;
-
-// instant.cpp: Eqs. (1) to (6) written out as small linear programs, one a question
-
-/// Contacts and the fingers that touch, with the modes and forces that a plan gives them.
-struct Instant {
-  mechanics::ContactSet set;  // friction at the lower ends
-  mechanics::Surfaces surfaces;
-  std::vector<mechanics::FingerMode> modes;
-  Eigen::VectorXd commanded_forces;
-};
-
-/// True if two instants are the same but for rounding.
-bool is_near(const Instant& a, const Instant& b, double length, double force);
-
-/// End of an interval of friction.
-using End = double mechanics::FrictionInterval::*;
-
-/// The contacts of an instant with friction at these ends.
-mechanics::ContactSet with_friction(const Instant& instant, End slide, End stick, double fingers);
-
-/// Problem (6) with f_com fixed, without l_d. Column 0 is z, the next ones are k_env, then k_rob.
-/// Rows 0 ... 5:
-///   z l_d - R^1/2 (W_env C_env k_env + W_rob C_rob k_rob) = R^1/2 Q_known;
-/// then one for each finger: N^T C_rob k_rob, at most f_max or equal to f_com.
-mechanics::LinearProgram balance(const Instant& instant);
-
-/// Margin of given finger forces: the largest t such that some contact forces complete them to an
-/// equilibrium (residual at most `tolerance` [N, scaled]) with every cone coefficient, fingers'
-/// too, at least t. Empty if there is none with t >= 0, but for the tolerance.
-std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
-                                double tolerance);
-
-// stability.cpp
-
-/// Solves Problem (6) with f_com fixed. Mostly the same forces carry the largest z of a direction
-/// at the next instant. A direction in which they carry more than the least z so far is not solved.
-class Stabilities {
- public:
-  explicit Stabilities(mechanics::Matrix6Xd directions)
-      : directions_(std::move(directions)),
-        supports_(static_cast<std::size_t>(directions_.cols())) {}
-
-  /// The least over the directions l_d of the largest z with z l_d in balance; 0 without an
-  /// equilibrium.
-  double least(const Instant& instant);
-
- private:
-  /// Columns of balance() that are not 0 at an optimum, and rows that are at a bound.
-  struct Support {
-    std::vector<int> columns, rows;
-  };
-
-  static Support support_of(const Eigen::VectorXd& x, const mechanics::LinearProgram& lp,
-                            const Eigen::MatrixXd& A);
-  static bool holds(const Support& support, const mechanics::LinearProgram& lp,
-                    const Eigen::MatrixXd& A, double z);
-
-  mechanics::Matrix6Xd directions_;
-  std::vector<Support> supports_;  // of each direction, at the last instant that was solved
-  Eigen::Index weakest_ = 0;       // direction of the last instant
-};
 
 // withstands.cpp
 

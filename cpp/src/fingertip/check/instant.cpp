@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include "fingertip/check/instant.hpp"
 
-#include "fingertip/check/check.hpp"
+#include <algorithm>
 
 namespace graspless::fingertip::checking {
 namespace {

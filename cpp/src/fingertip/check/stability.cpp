@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/check/stability.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
-
-#include "fingertip/check/check.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {
