@@ -154,6 +154,7 @@ def test_the_simulated_vessel_is_the_true_one():
         (box_cup(side=0.2, wall=0.065), 0.1, "too_wide", "mm thick where it is thinnest, the hand"),
         (box_cup(), 2.0, "too_heavy", "8 N a finger; it weighs 2.00 kg"),
         (box_cup(bottom=0.066), 0.1, "no_room", "mm too high there"),
+        (box_cup(height=0.018, bottom=0.004), 0.1, "too_flat", "or more over the support"),
     ],
 )
 def test_what_cannot_be_held_has_its_number(shapes, mass, status, words):

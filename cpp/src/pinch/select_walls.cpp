@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "pinch/grasps.hpp"
 #include "pinch/walls.hpp"
@@ -17,11 +18,18 @@ constexpr double kLevelStep = 0.004;  // between heights of contacts that are tr
 constexpr double kAside = 0.35;       // of the width of a finger: it is round
 constexpr int kLevels = 10;
 
-/// Heights of contacts, from the top down.
-std::vector<double> levels(const Problem& problem, const Options& options) {
+/// Least height of the contacts of a hand that comes from straight above [m].
+double lowest_contact(const Options& options, const Jaw& jaw) {
+  const std::optional<Grip> grip = jaw.at_width(jaw.opening() / 2);
+  const Grip& at = grip ? *grip : jaw.open();
+  return options.clearance + jaw.reach(at, Eigen::Vector3d::UnitZ()) - at.contact_H.z();
+}
+
+/// Heights of contacts, from the top down to `least`.
+std::vector<double> levels(const Problem& problem, const Options& options, double least) {
   std::vector<double> found;
   double height = problem.object.thickness() - options.patch;
-  for (int k = 0; k < kLevels && height > options.clearance; ++k, height -= kLevelStep)
+  for (int k = 0; k < kLevels && height >= least; ++k, height -= kLevelStep)
     found.push_back(height);
   return found;
 }
@@ -85,26 +93,19 @@ std::string text_of(const char* format, Numbers... numbers) {
   return text;
 }
 
-}  // namespace
+template <class Fits>
+void keep(std::vector<Faces>& faces, const Fits& fits) {
+  faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [&](const Faces& wall) { return !fits(wall); }),
+      faces.end());
+}
 
-std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
-                                Grasps& result) {
-  const double length = std::max(jaw.open().pad, 2 * options.patch);
-  std::vector<Faces> faces = walls(*problem.object.heights(), problem.object.com(), length,
-                                   levels(problem, options), options.patch);
-  if (faces.empty()) {
-    return refused_walls(result, Status::too_flat,
-                         "no wall of " + in_mm(length) + " length rises " + in_mm(options.patch) +
-                             " above the fingers' contacts");
-  }
-  const auto keep = [&](const auto& fits) {
-    faces.erase(
-        std::remove_if(faces.begin(), faces.end(), [&](const Faces& wall) { return !fits(wall); }),
-        faces.end());
-  };
+/// Walls that fit between the fingers, with faces that are opposite each other.
+std::vector<Faces> thin_walls(std::vector<Faces> faces, const Options& options, const Jaw& jaw,
+                              Grasps& result) {
   const auto friction = [](const Faces& wall) { return wall.friction; };
   const double slope = friction(least_of(faces, friction));
-  keep([&](const Faces& wall) { return wall.friction <= options.friction; });
+  keep(faces, [&](const Faces& wall) { return wall.friction <= options.friction; });
   if (faces.empty()) {
     return refused_walls(result, Status::too_slippery,
                          text_of("the walls lean or bend: a coefficient of friction of %.2f is "
@@ -114,7 +115,8 @@ std::vector<Faces> select_walls(const Problem& problem, const Options& options, 
   const auto width = [](const Faces& wall) { return wall.width; };
   const double thinnest = width(least_of(faces, width));
   const double opening = jaw.opening() - 2 * options.margin;
-  keep([&](const Faces& wall) { return wall.width <= opening && wall.width > jaw.least_gap(); });
+  keep(faces,
+       [&](const Faces& wall) { return wall.width <= opening && wall.width > jaw.least_gap(); });
   if (faces.empty()) {
     const std::string wall = "the wall is " + in_mm(thinnest) + " thick where it is thinnest, ";
     return refused_walls(
@@ -123,38 +125,61 @@ std::vector<Faces> select_walls(const Problem& problem, const Options& options, 
                                  in_mm(options.margin) + " on each side"
                            : wall + "the closed fingers stay " + in_mm(jaw.least_gap()) + " apart");
   }
-  const auto mass = [&](const Faces& wall) {
-    return largest_mass(wall, problem.hand.pad_friction, options);
-  };
-  if (std::all_of(faces.begin(), faces.end(), [&](const Faces& wall) { return mass(wall) == 0; })) {
-    return refused_walls(result, Status::too_heavy,
-                         "both faces of a wall must be upright and seen " + in_mm(options.patch) +
-                             " below the fingers' contacts: no wall that fits the hand bears a "
-                             "weight that is not below it; a view from another side may help");
+  return faces;
+}
+
+/// Walls at which the pads hold the object, with the part of its load that they bear.
+std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& problem,
+                                 const Options& options, Grasps& result) {
+  for (Faces& wall : faces) {
+    wall.load = problem.object.mass() / largest_mass(wall, problem.hand.pad_friction, options);
   }
-  const Faces best = least_of(faces, [&](const Faces& wall) { return -mass(wall); });
-  keep([&](const Faces& wall) { return mass(wall) >= problem.object.mass(); });
-  if (faces.empty()) {
+  const Faces best = least_of(faces, [](const Faces& wall) { return wall.load; });
+  keep(faces, [](const Faces& wall) { return wall.load <= 1; });
+  if (!faces.empty()) return faces;
+  const double away = 1000 * std::hypot(best.lever, best.offset);
+  if (std::isinf(best.load)) {
     return refused_walls(
         result, Status::too_heavy,
-        text_of("held by a wall that is %.0f mm from the centre of mass, the pads bear %.2f kg at "
-                "%g N a finger; it weighs %.2f kg",
-                1000 * std::hypot(best.lever, best.offset), mass(best), options.grip_force,
-                problem.object.mass()));
+        text_of("no wall that fits the hand is upright and was seen on both sides down to %.0f mm "
+                "below the contacts, which is needed to hold it %.0f mm from its centre of mass: a "
+                "view from another side may help",
+                1000 * options.patch, away));
   }
-  for (Faces& wall : faces) wall.load = problem.object.mass() / mass(wall);
+  return refused_walls(
+      result, Status::too_heavy,
+      text_of("held by a wall that is %.0f mm from the centre of mass, the pads bear %.2f kg at "
+              "%g N a finger; it weighs %.2f kg",
+              away, problem.object.mass() / best.load, options.grip_force, problem.object.mass()));
+}
+
+}  // namespace
+
+std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
+                                Grasps& result) {
+  const double length = std::max(jaw.open().pad, 2 * options.patch),
+               least = lowest_contact(options, jaw);
+  std::vector<Faces> faces = walls(*problem.object.heights(), problem.object.com(), length,
+                                   levels(problem, options, least), options.patch);
+  if (faces.empty()) {
+    return refused_walls(result, Status::too_flat,
+                         in_mm(problem.object.thickness()) + " high; no wall of " + in_mm(length) +
+                             " length rises " + in_mm(options.patch) + " above contacts that are " +
+                             in_mm(least) + " or more over the support");
+  }
+  faces = thin_walls(std::move(faces), options, jaw, result);
+  if (!faces.empty()) faces = bearing_walls(std::move(faces), problem, options, result);
+  if (faces.empty()) return faces;
   const Room room(*problem.object.heights(), jaw);
   const Faces widest = least_of(faces, [&](const Faces& wall) { return room.missing(wall); });
-  keep([&](const Faces& wall) { return room.missing(wall) <= 0; });
-  if (faces.empty()) {
-    return refused_walls(
-        result, Status::no_room,
-        text_of("the open fingers go %.0f to %.0f mm beside the middle of a wall "
-                "and %.0f mm below its contacts: the object is %.0f mm too high there",
-                1000 * room.from(), 1000 * room.to(), 1000 * room.depth(widest),
-                1000 * room.missing(widest)));
-  }
-  return faces;
+  keep(faces, [&](const Faces& wall) { return room.missing(wall) <= 0; });
+  if (!faces.empty()) return faces;
+  return refused_walls(
+      result, Status::no_room,
+      text_of("the open fingers go %.0f to %.0f mm beside the middle of a wall and %.0f mm below "
+              "its contacts: the object is %.0f mm too high there",
+              1000 * room.from(), 1000 * room.to(), 1000 * room.depth(widest),
+              1000 * room.missing(widest)));
 }
 
 }  // namespace graspless::pinch

@@ -190,7 +190,7 @@ TEST(RimPinch, RefusesWithTheNumberInTheWay) {
        {0.08, 0.006, 0.08, 0.01, 0.6},
        0.02,
        Status::too_heavy,
-       "must be upright and seen"},
+       "is upright and was seen on both sides"},
       {"narrow", {0.028, 0.003, 0.08, 0.01, 0}, 0.05, Status::no_room, "too high there"},
       {"full",
        {0.06, 0.006, 0.08, 0.078, 0},
@@ -260,6 +260,11 @@ TEST(RimPinch, APlanForAnotherVesselIsAtFault) {
   EXPECT_NE(all(check(with_cup(thick), found)), "");
   EXPECT_NE(all(check(with_cup(low), found)).find("wall"), std::string::npos);
   EXPECT_NE(all(check(with_cup({}, 1.5), found)).find("it weighs 1.5 kg"), std::string::npos);
+  Problem unseen = with_cup({});
+  HeightMap map = *unseen.object.heights();
+  map.undersides = map.heights;
+  unseen.object = unseen.object.with_heights(map);
+  EXPECT_NE(all(check(unseen, found)).find("nobody saw"), std::string::npos);
 }
 
 TEST(RimPinch, IsTheSameEveryTime) {

@@ -168,6 +168,16 @@ TEST(SeenHeights, ASecondCameraLowersTheShadow) {
   EXPECT_GT(a.underside_at({0.0026, 0.01}), kHigh - 1e-3);
 }
 
+/// What is above a gap between rays may be solid, whatever passes below.
+TEST(SeenHeights, OnlyAnUnbrokenRowOfRaysLowersACell) {
+  Seen seen;
+  look(-0.6, seen);
+  EXPECT_LT(map_of(seen).at({-0.03, 0.0}), 0.004);
+  RayImage& image = seen.rays[0];
+  image.ends = (image.ends < 0).select(RayImage::Ends::Zero(161, 161), image.ends);
+  EXPECT_EQ(map_of(seen).at({-0.03, 0.0}), kHigh);  // those to the wall pass 25 to 60 mm above
+}
+
 TEST(SeenHeights, RaysOfUnknownEndCountAsFarAsTheyAreClear) {
   Seen seen;
   look(-0.6, seen);
