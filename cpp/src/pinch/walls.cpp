@@ -21,7 +21,7 @@ constexpr double kRoundOff = 1e-9;     // [m]
 constexpr double kSample = 0.5;        // in cells
 constexpr std::size_t kLeastSeen = 8;  // columns in which a face must have been seen
 constexpr double kSwing = 0.1;  // of an object that hangs from the hand, before it is at rest [rad]
-constexpr double kEven = 0.5;   // part of the moment that pads bear whose contacts are not even
+constexpr double kEven = 0.5;   // share of the moment that pads with uneven contacts bear
 constexpr double kMostRise = 0.75;  // in half pads: what is left of the contact is a noisy measure
 constexpr double kSeenHeight = 0.003;  // of what was seen of the side of a wall in a cell [m]
 constexpr double kUpright = 0.1, kLeaning = 0.3;  // tangents: a pad touches all of a face, its end
@@ -228,7 +228,7 @@ double largest_mass(const Faces& faces, double pad_friction, const Options& opti
                tilt = 2 * kEven * (a - faces.rise) * press;
   const double lever = std::max(0.0, faces.lever - swing),
                offset = std::max(0.0, faces.offset - swing);
-  if (force <= 0 || (faces.rise > kMostRise * a && offset > 0)) return 0;
+  if (force <= 0 || faces.rise > kMostRise * a) return 0;
   const double load = std::hypot(1 / force, lever / twist);  // per newton of weight
   return 1 / (kGravity * std::max(load, offset > 0 ? offset / tilt : 0));
 }

@@ -107,7 +107,7 @@ def level(wish: Wish) -> Wish | str:
 
 def block_of(wish: Wish) -> Block | str:
     """Returns the object as a block, or how far it is off the block that fits it best."""
-    ring = _dense(np.asarray(wish.thing.outline))
+    ring = dense(np.asarray(wish.thing.outline))
     height = float(wish.thing.thickness)
     fits = [_fitted(ring, yaw) for yaw in np.arange(0, np.pi / 2, COARSE)]
     best = min(fits, key=lambda fit: fit.off)
@@ -207,7 +207,7 @@ def _fitted(ring: Matrix, yaw: float, top: Matrix | None = None) -> _Fit:
     return _Fit(float(yaw), low, high, apart)
 
 
-def _dense(ring: Matrix) -> Matrix:
+def dense(ring: Matrix) -> Matrix:
     """(N, 2) points along a closed ring, SPACING apart."""
     pieces = []
     for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
@@ -224,4 +224,4 @@ def _off(points_B: Matrix, size: Matrix) -> Matrix:
     return off
 
 
-__all__ = ["Block", "block_of", "level", "wish_at"]
+__all__ = ["Block", "block_of", "dense", "level", "wish_at"]

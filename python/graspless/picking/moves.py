@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Motions of a block by fingertips after which a hand may grasp it, the shortest first."""
+"""Motions of a block by fingertips after which a hand may grasp it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import frames, geometry
 from ..tasks.statement import pose_fields
-from .block import Block
+from .block import Block, dense
 from .wish import plain
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def misplaced(move: Move, wish: Wish) -> str:
         X_WO = np.asarray(other.X_WO)
         ring = np.asarray(other.outline) @ X_WO[:2, :2].T + X_WO[:2, 3]
         there = geometry.Polygon(ring)
-        if any(own.contains(p) for p in ring) or any(there.contains(p) for p in move.goal.corners):
+        if any(own.contains(p) for p in dense(ring)) or there.contains(move.goal.corners[0]):
             return f"'{other.name}' is there"
     return ""
 

@@ -15,7 +15,8 @@
 namespace graspless::geometry {
 
 /// Heights over the plane z = 0 of a frame O, one for each square cell: the solid between them and
-/// the plane. The open top of a vessel is such a map; an overhang is filled.
+/// the plane. A vessel that is open at the top can be described
+/// so; an overhang is filled.
 struct GRASPLESS_API HeightMap {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< least x and y of the first cell [m]
   double cell = 0;                                   ///< side of a cell [m]
@@ -43,7 +44,8 @@ struct GRASPLESS_API HeightMap {
 GRASPLESS_API void validate(const HeightMap& map, const std::string& field);
 
 /// Boxes that fill a map, in O. Cells of nearly the same height share one: each box is as high as
-/// the next multiple of `step` [m], but not higher than the highest cell.
+/// the next multiple of `step` [m], but not higher than the highest cell. Throws
+/// std::invalid_argument unless `step` is at least kMinLength.
 GRASPLESS_API std::vector<PlacedShape> columns(const HeightMap& map, double step);
 
 /// Heights of an object as cameras saw it. A cell is as high as its highest point. Where the
@@ -53,8 +55,9 @@ GRASPLESS_API std::vector<PlacedShape> columns(const HeightMap& map, double step
 ///
 /// `points`: (3 x n) on the object, in O. `rays`: of the cameras, in O. `outline`: of the object,
 /// in O; cells beyond its convex hull without points are 0. `top`: height of the object; `cell`:
-/// side of a cell [m]. Throws std::invalid_argument on points that are not finite, or lengths for
-/// which the map is not valid.
+/// side of a cell [m]. Where rays are sparse, this is an estimate: a ray clears the whole cell that
+/// it passes, two cells high. Throws std::invalid_argument on points that are not finite, lengths
+/// for which the map is not valid, or more than 2e7 voxels of this size.
 GRASPLESS_API HeightMap seen_heights(const Eigen::Matrix3Xd& points,
                                      const std::vector<RayImage>& rays, const Polygon& outline,
                                      double top, double cell);

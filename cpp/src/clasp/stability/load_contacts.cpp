@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using mechanics::Vector6d;
 
 constexpr double kRound = 0.0005;     // radius by which edges of links are rounded [m]
-constexpr double kRounding = 0.5e-6;  // of lengths, less than by how much a contact is passed [mm]
+constexpr double kRounding = 0.5e-6;  // of lengths; less than a contact must be passed by [mm]
 
 /// Distance beyond which no step closes a gap [m].
 double window(const Vector3d& p_W, const Posture& hand) {

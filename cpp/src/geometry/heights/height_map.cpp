@@ -76,6 +76,8 @@ void validate(const HeightMap& map, const std::string& field) {
 }
 
 std::vector<PlacedShape> columns(const HeightMap& map, double step) {
+  if (!(step >= kMinLength && std::isfinite(step)))
+    throw std::invalid_argument("step must be at least 1e-6 m, not " + std::to_string(step));
   const double highest = map.heights.maxCoeff();
   Rectangles rectangles(
       map.heights.unaryExpr([&](double height) { return level_of(height, step); }));

@@ -57,9 +57,17 @@ class Passed {
  private:
   /// Notes a ray from the height of the top to its end or to the plane.
   void march(const Vector3d& eye, const Vector3d& along, double end) {
-    const double from = std::max(0.0, (top_ - eye.z()) / along.z()),
-                 to = std::min(end, -eye.z() / along.z());
-    if (!(to > from)) return;
+    double from = std::max(0.0, (top_ - eye.z()) / along.z()),
+           to = std::min(end, -eye.z() / along.z());
+    for (int k = 0; k < 2; ++k) {  // over the map
+      const double size =
+          map_.cell * static_cast<double>(k == 0 ? map_.heights.rows() : map_.heights.cols());
+      const double low = (map_.corner[k] - eye[k]) / along[k], high = low + size / along[k];
+      if (std::isnan(low) || std::isinf(low)) continue;  // parallel to this side: note() decides
+      from = std::max(from, std::min(low, high));
+      to = std::min(to, std::max(low, high));
+    }
+    if (!(to > from) || !std::isfinite((to - from) * along.norm())) return;
     const auto steps =
         static_cast<int>(std::ceil((to - from) * along.norm() / (kStride * map_.cell)));
     for (int k = 0; k <= steps; ++k) note(eye + (from + (to - from) * k / steps) * along);
@@ -108,7 +116,8 @@ Polygon hull_of(const Polygon& polygon) {
   return Polygon(vertices);
 }
 
-HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double cell) {
+HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double top,
+                    double cell) {
   if (!points.allFinite()) throw std::invalid_argument("points must be finite");
   if (!(cell > 0))
     throw std::invalid_argument("cell must be positive, not " + std::to_string(cell));
@@ -127,6 +136,11 @@ HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, doub
     throw std::invalid_argument("cell is too small for an object of " +
                                 std::to_string((high - low).maxCoeff()) +
                                 " m: " + std::to_string(cell) + " m");
+  constexpr double kMostVoxels = 2e7;
+  if (!(top > 0 && count.prod() * std::ceil(top / (kBin * cell)) <= kMostVoxels))
+    throw std::invalid_argument("top must be positive, and have at most 2e7 voxels of " +
+                                std::to_string(cell) + " m below it, not " + std::to_string(top) +
+                                " m");
   map.heights.setZero(static_cast<Index>(count.x()), static_cast<Index>(count.y()));
   return map;
 }
@@ -135,7 +149,7 @@ HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, doub
 
 HeightMap seen_heights(const Eigen::Matrix3Xd& points, const std::vector<RayImage>& rays,
                        const Polygon& outline, double top, double cell) {
-  HeightMap map = empty_map(points, outline, cell);
+  HeightMap map = empty_map(points, outline, top, cell);
   map.undersides.setConstant(map.heights.rows(), map.heights.cols(), top);
   for (Index k = 0; k < points.cols(); ++k) {
     const Vector2d at = (points.col(k).head<2>() - map.corner) / cell;
@@ -156,7 +170,7 @@ HeightMap seen_heights(const Eigen::Matrix3Xd& points, const std::vector<RayImag
       const Vector2d middle =
           map.corner + cell * Vector2d(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
       if (map.heights(i, j) > 0 || !hull.contains(middle)) continue;
-      map.heights(i, j) = passed.bound(i, j);
+      map.heights(i, j) = map.undersides(i, j) = passed.bound(i, j);
     }
   }
   map.undersides = map.undersides.min(map.heights);

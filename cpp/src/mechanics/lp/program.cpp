@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,16 +44,27 @@ void validate_entries(const LinearProgram& lp) {
     throw std::invalid_argument("entry (" + std::to_string(row) + ", " + std::to_string(column) +
                                 ") must " + what);
   };
-  std::vector<bool> is_given(static_cast<std::size_t>(lp.num_rows() * lp.num_variables()));
+  std::vector<std::size_t> begin(lp.lower.size() + 1, 0);  // of the entries of each column
   for (const auto& entry : lp.entries) {
     const bool is_inside = entry.row() >= 0 && entry.row() < lp.num_rows() && entry.col() >= 0 &&
                            entry.col() < lp.num_variables();
     if (!is_inside) refuse(entry.row(), entry.col(), "lie in the matrix");
     if (!std::isfinite(entry.value())) refuse(entry.row(), entry.col(), "be finite");
-    const Eigen::Index place = entry.col() * lp.num_rows() + entry.row();
-    auto given = is_given[static_cast<std::size_t>(place)];
-    if (given) refuse(entry.row(), entry.col(), "be given once");
-    given = true;
+    ++begin[static_cast<std::size_t>(entry.col()) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> rows(lp.entries.size());
+  std::vector<std::size_t> next = begin;
+  for (const auto& entry : lp.entries)
+    rows[next[static_cast<std::size_t>(entry.col())]++] = entry.row();
+  std::vector<int> last_column(lp.row_lower.size(), -1);  // with an entry in each row
+  for (int column = 0; column < static_cast<int>(lp.lower.size()); ++column) {
+    const auto at = static_cast<std::size_t>(column);
+    for (std::size_t k = begin[at]; k < begin[at + 1]; ++k) {
+      int& last = last_column[static_cast<std::size_t>(rows[k])];
+      if (last == column) refuse(rows[k], column, "be given once");
+      last = column;
+    }
   }
 }
 

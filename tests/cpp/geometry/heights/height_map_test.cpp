@@ -191,5 +191,29 @@ TEST(SeenHeights, RaysOfUnknownEndCountAsFarAsTheyAreClear) {
   EXPECT_NE(complaint([&] { map_of(seen); }).find("clear"), std::string::npos);
 }
 
+/// A ray that hardly falls is as long as it likes; what counts is its way over the map.
+TEST(SeenHeights, RaysAtTheHorizonTakeNoTime) {
+  RayImage level;
+  level.K << 1e9, 0, 0, 0, 1e9, 0, 0, 0, 1;
+  level.ends = RayImage::Ends::Constant(1, 1, std::numeric_limits<float>::infinity());
+  level.X_OC.translation() = Vector3d(-1, 0, 0.03);
+  level.X_OC.linear() << 0, 0, 1, -1, 0, 0, 0, -1, -1e-12;
+  const Polygon outline(Eigen::Matrix2Xd{{0.0, 0.1, 0.1, 0.0}, {-0.05, -0.05, 0.05, 0.05}});
+  const Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Constant(3, 1, 0.05);
+  const HeightMap map = seen_heights(points, {level}, outline, 0.05, 0.002);
+  EXPECT_EQ(map.at({0.02, 0.02}), 0.05);  // no ray
+  EXPECT_EQ(map.underside_at({0.02, 0.02}), 0.05);
+}
+
+TEST(SeenHeights, RefuseATopThatIsNoneAndTooManyVoxels) {
+  const Polygon outline(Eigen::Matrix2Xd{{0.0, 0.9, 0.9, 0.0}, {0.0, 0.0, 0.9, 0.9}});
+  for (const double top : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN(), 1.0}) {
+    const auto asked = [&] { seen_heights(Eigen::Matrix3Xd(3, 0), {}, outline, top, 0.001); };
+    EXPECT_NE(complaint(asked).find("top must be positive"), std::string::npos);
+  }
+  std::mt19937_64 rng(2);
+  EXPECT_NE(complaint([&] { columns(random_map(rng), 0); }).find("step"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace graspless::geometry
