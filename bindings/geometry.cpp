@@ -448,8 +448,7 @@ void bind_ray_image(py::module_& m) {
            "Negative: the ray ends on the object, at minus this depth. Infinite: it passes the "
            "object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose "
            "of the optical frame in the frame of the object's points, z forward. clear: (H, W) "
-           "depth "
-           "up to which a ray of unknown end met nothing [m]; 0: nobody knows.")
+           "depth up to which a ray of unknown end met nothing [m]; 0: nobody knows.")
       .def_static("from_depth", &rays_of_depth, py::arg("depth"), py::arg("is_object"),
                   py::arg("K"), py::arg("X_OC"),
                   "Makes rays from a depth image.\n\ndepth: (H, W) [m]; 0 or not finite: unknown. "
@@ -522,7 +521,8 @@ void bind_height_map(py::module_& m) {
   py::class_<HeightMap>(
       m, "HeightMap",
       "Heights over the plane z = 0 of a frame O, one for each square cell: the solid between them "
-      "and the plane.\n\nThe open top of a vessel is such a map; an overhang is filled.")
+      "and the plane.\n\nA vessel that is open at the top can be described so; an overhang is "
+      "filled.")
       .def(
           py::init([](const Eigen::Vector2d& corner, double cell, const HeightRows& heights,
                       const std::optional<HeightRows>& undersides) {
@@ -566,7 +566,7 @@ void bind_height_map(py::module_& m) {
   m.def("columns", &columns, py::arg("map"), py::arg("step"),
         "Returns boxes that fill a map, as PlacedShapes in O.\n\nCells of nearly the same height "
         "share one: each box is as high as the next multiple of `step` [m], but not higher than "
-        "the highest cell.");
+        "the highest cell.\n\nRaises ValueError unless `step` is at least 1e-6 m.");
   m.def(
       "seen_heights",
       [](const Array& points, const std::vector<RayImage>& rays, const Polygon& outline, double top,
@@ -598,8 +598,8 @@ cell : float
 Raises
 ------
 ValueError
-    If a point is not finite, or the map would have no cell, more than 1000 along a side, or no
-    height.
+    If a point is not finite, or the map would have more than 1000 cells along a side, more than
+    2e7 voxels of two cells' height below the top, or no height.
 )");
 }
 

@@ -226,6 +226,18 @@ Mesh convex_hull(const Eigen::Matrix3Xd& points) {
   return canonical(HullSides(surface).polygons());
 }
 
+Eigen::Matrix2Xd convex_outline(const Eigen::Matrix2Xd& points) {
+  std::vector<Kernel::Point_2> input, corners;
+  for (const auto& p : points.colwise()) input.emplace_back(p.x(), p.y());
+  CGAL::convex_hull_2(input.begin(), input.end(), std::back_inserter(corners));
+  Eigen::Matrix2Xd hull(2, static_cast<Eigen::Index>(corners.size()));
+  for (Eigen::Index i = 0; i < hull.cols(); ++i) {
+    const Kernel::Point_2& p = corners[static_cast<std::size_t>(i)];
+    hull.col(i) << p.x(), p.y();
+  }
+  return hull;
+}
+
 bool is_convex(const Mesh& mesh, const Mesh& hull) {
   if (!is_closed(mesh)) return false;
   const Eigen::Vector3d p_origin = hull.vertices.rowwise().mean();

@@ -10,6 +10,9 @@ namespace graspless::geometry {
 /// counter-clockwise seen from outside. The points must span a volume (see validate()).
 Mesh convex_hull(const Eigen::Matrix3Xd& points);
 
+/// Corners of the convex hull of points (2 x n) [m], counter-clockwise.
+Eigen::Matrix2Xd convex_outline(const Eigen::Matrix2Xd& points);
+
 /// True if a mesh is closed, consistently oriented, and fills `hull`, its convex hull.
 bool is_convex(const Mesh& mesh, const Mesh& hull);
 

@@ -230,7 +230,7 @@ double largest_mass(const Faces& faces, double pad_friction, const Options& opti
                offset = std::max(0.0, faces.offset - swing);
   if (force <= 0 || faces.rise > kMostRise * a) return 0;
   const double load = std::hypot(1 / force, lever / twist);  // per newton of weight
-  return 1 / (kGravity * std::max(load, offset > 0 ? offset / tilt : 0));
+  return 1 / (kGravity * std::max(load, offset / tilt));
 }
 
 }  // namespace graspless::pinch

@@ -511,7 +511,7 @@ class HeightMap:
     """
     Heights over the plane z = 0 of a frame O, one for each square cell: the solid between them and the plane.
     
-    The open top of a vessel is such a map; an overhang is filled.
+    A vessel that is open at the top can be described so; an overhang is filled.
     """
     def __init__(self, corner: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[2, 1]"], cell: typing.SupportsFloat | typing.SupportsIndex, heights: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"], undersides: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"] | None = None) -> None:
         """
@@ -766,6 +766,8 @@ def columns(map: HeightMap, step: typing.SupportsFloat | typing.SupportsIndex) -
     Returns boxes that fill a map, as PlacedShapes in O.
     
     Cells of nearly the same height share one: each box is as high as the next multiple of `step` [m], but not higher than the highest cell.
+    
+    Raises ValueError unless `step` is at least 1e-6 m.
     """
 def downsample(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], cell: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.int32]:
     """
@@ -965,8 +967,8 @@ def seen_heights(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
     Raises
     ------
     ValueError
-        If a point is not finite, or the map would have no cell, more than 1000 along a side, or no
-        height.
+        If a point is not finite, or the map would have more than 1000 cells along a side, more than
+        2e7 voxels of two cells' height below the top, or no height.
     """
 @typing.overload
 def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, rays: collections.abc.Sequence[RayImage] = []) -> Loops:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames, geometry, perception
+from .wish import dense
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -107,7 +108,7 @@ def level(wish: Wish) -> Wish | str:
 
 def block_of(wish: Wish) -> Block | str:
     """Returns the object as a block, or how far it is off the block that fits it best."""
-    ring = dense(np.asarray(wish.thing.outline))
+    ring = dense(np.asarray(wish.thing.outline), SPACING)
     height = float(wish.thing.thickness)
     fits = [_fitted(ring, yaw) for yaw in np.arange(0, np.pi / 2, COARSE)]
     best = min(fits, key=lambda fit: fit.off)
@@ -203,17 +204,8 @@ def _fitted(ring: Matrix, yaw: float, top: Matrix | None = None) -> _Fit:
         )
     else:
         low, high = np.quantile(top @ R, [STRAY, 1 - STRAY], axis=0)
-    apart = np.abs(_off(turned - (low + high) / 2, high - low))
+    apart = _off(turned - (low + high) / 2, high - low)
     return _Fit(float(yaw), low, high, apart)
-
-
-def dense(ring: Matrix) -> Matrix:
-    """(N, 2) points along a closed ring, SPACING apart."""
-    pieces = []
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        count = max(1, int(np.ceil(np.linalg.norm(b - a) / SPACING)))
-        pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
-    return np.concatenate(pieces)
 
 
 def _off(points_B: Matrix, size: Matrix) -> Matrix:
@@ -224,4 +216,4 @@ def _off(points_B: Matrix, size: Matrix) -> Matrix:
     return off
 
 
-__all__ = ["Block", "block_of", "dense", "level", "wish_at"]
+__all__ = ["SPACING", "Block", "block_of", "level", "wish_at"]

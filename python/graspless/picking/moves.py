@@ -11,8 +11,8 @@ import numpy as np
 
 from .. import frames, geometry
 from ..tasks.statement import pose_fields
-from .block import Block, dense
-from .wish import plain
+from .block import SPACING, Block
+from .wish import dense, plain
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -120,7 +120,7 @@ def misplaced(move: Move, wish: Wish) -> str:
         X_WO = np.asarray(other.X_WO)
         ring = np.asarray(other.outline) @ X_WO[:2, :2].T + X_WO[:2, 3]
         there = geometry.Polygon(ring)
-        if any(own.contains(p) for p in dense(ring)) or there.contains(move.goal.corners[0]):
+        if any(own.contains(p) for p in dense(ring, SPACING)) or there.contains(move.goal.corners[0]):
             return f"'{other.name}' is there"
     return ""
 
@@ -135,10 +135,7 @@ def _pose(X: Matrix) -> dict[str, list[float]]:
 
 def _turn(point: Matrix, axis: Matrix, angle: float) -> Matrix:
     """(4, 4) rotation of the world's points about an axis through a point."""
-    x, y, z = axis
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    X = np.eye(4)
-    X[:3, :3] = np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+    X = frames.from_quaternion([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])
     X[:3, 3] = point - X[:3, :3] @ point
     return X
 

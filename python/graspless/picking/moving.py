@@ -74,16 +74,16 @@ def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
     block = block_of(flat)
     if isinstance(block, str):
         return block
-    trial = _trial("pinch", flat, 1, TRIAL_SECONDS)
+    pinching = _trial_task("pinch", flat, 1, TRIAL_SECONDS)
     if opening is None:
-        first: Any = trial.stages[0]
+        first: Any = plan_since(pinching, time.monotonic()).stages[0]
         opening = float(first.opening)
     base = np.asarray(wish.model.X_WB)[:2, 3]
     every = [(move, _grasps(move.goal, wish, opening)) for move in MOVES[strategy](block, base)]
     fitting = sorted((one for one in every if one[1]), key=lambda one: GRASPS.index(one[1][0]))
     if not fitting:
         return _fits_nowhere(strategy, block, opening)
-    tips = fingertips_of(trial.stages[0].task.problem)
+    tips = fingertips_of(pinching.problem.first.problem)
     if isinstance(tips, str):
         return f"needs fingertips of two fingers: {tips}"
     if wish.mass is None:
@@ -111,12 +111,11 @@ def _fits_nowhere(strategy: str, block: Block, opening: float) -> str:
     return f"{what}; one that opens {1000 * needed:.0f} mm (+{1000 * more:.0f} mm) would do"
 
 
-def _trial(grasp: str, wish: Wish, seed: int, seconds: float) -> Plan:
-    """Returns a grasp and lift of the object where it stands."""
+def _trial_task(grasp: str, wish: Wish, seed: int, seconds: float) -> Any:
+    """Returns the task of a grasp and lift of the object where it stands."""
     document = chain_of(grasp, wish, seed, seconds, WAYS[grasp][0])
     task = task_from_dict(document, grasp, resolve=True)
-    plan: Plan = plan_since(task.with_changes(iterations=TRIAL_ITERATIONS), time.monotonic())
-    return plan
+    return task.with_changes(iterations=TRIAL_ITERATIONS)
 
 
 def _scrubbing(plan: Plan) -> list[str]:
@@ -202,7 +201,7 @@ class Moving:
         """
         why = refusal(grasp, there, self.opening)
         if not why:
-            trial = _trial(grasp, there, seed, seconds)
+            trial = plan_since(_trial_task(grasp, there, seed, seconds), time.monotonic())
             why = "" if trial else str(trial.reason)
         if why:
             self._note(1, f"{move.words}, {why}")

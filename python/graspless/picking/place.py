@@ -18,7 +18,7 @@ from ..tasks import scenes
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
 from .place_fields import Place, place_of
-from .wish import documents, plain
+from .wish import dense, documents, plain
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -74,12 +74,12 @@ class Target:
             for other in self.wish.others
             if other.support == self.support.name
         ]
-        return [(name, _dense(ring), geometry.Polygon(ring)) for name, ring in outlines]
+        return [(name, dense(ring, DENSE), geometry.Polygon(ring)) for name, ring in outlines]
 
     @cached_property
     def ring(self) -> Matrix:
         """Points of the outline in O."""
-        return _dense(np.asarray(self.wish.thing.outline))
+        return dense(np.asarray(self.wish.thing.outline), DENSE)
 
     @property
     def yaw(self) -> float:
@@ -272,15 +272,6 @@ def _at_edge(slide: Any) -> Matrix:
 def _moved(ring: Matrix, X: Matrix) -> Matrix:
     moved: Matrix = ring @ X[:2, :2].T + X[:2, 3]
     return moved
-
-
-def _dense(ring: Matrix) -> Matrix:
-    """[N, 2] points along a closed ring, none farther apart than DENSE."""
-    pieces = []
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        count = max(1, int(np.ceil(np.linalg.norm(b - a) / DENSE)))
-        pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
-    return np.concatenate(pieces)
 
 
 __all__ = ["Target", "refusal", "stage_of", "target_of"]

@@ -259,3 +259,12 @@ def distance_to(p: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
     along = b - a
     t = np.clip((p - a) @ along / max(float(along @ along), 1e-12), 0, 1)
     return float(np.linalg.norm(p - a - t * along))
+
+
+def dense(ring: np.ndarray, spacing: float) -> np.ndarray:
+    """Returns points [N, 2] along a closed ring, at most `spacing` apart [m]."""
+    pieces = []
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.linalg.norm(b - a) / spacing)))
+        pieces.append(a + (b - a) * np.arange(count)[:, None] / count)
+    return np.concatenate(pieces)

@@ -36,7 +36,7 @@ MEASURES = {
 
 @dataclass(frozen=True)
 class Moved:
-    """What fingertips did to the object.
+    """Result of the motion of the object by fingertips.
 
     Attributes
     ----------

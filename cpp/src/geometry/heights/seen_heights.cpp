@@ -8,6 +8,8 @@
 #include "graspless/geometry/height_map.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/convex_hull.hpp"
+
 namespace graspless::geometry {
 
 using Eigen::ArrayXXd, Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
@@ -91,31 +93,6 @@ class Passed {
   std::vector<ArrayXXd> lowest_;
 };
 
-/// Corners of the convex hull of a polygon, counter-clockwise (Andrew's monotone chain).
-Polygon hull_of(const Polygon& polygon) {
-  std::vector<Vector2d> corners, hull;
-  for (const auto& corner : polygon.vertices().colwise()) corners.emplace_back(corner);
-  std::sort(corners.begin(), corners.end(), [](const Vector2d& a, const Vector2d& b) {
-    return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-  });
-  const auto is_right_turn = [&](const Vector2d& p) {
-    const Vector2d a = hull.back() - hull[hull.size() - 2], b = p - hull.back();
-    return a.x() * b.y() - a.y() * b.x() <= 0;
-  };
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t begin = hull.size();
-    for (const Vector2d& p : corners) {
-      while (hull.size() >= begin + 2 && is_right_turn(p)) hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();  // the first corner of the other side
-    std::reverse(corners.begin(), corners.end());
-  }
-  Eigen::Matrix2Xd vertices(2, static_cast<Index>(hull.size()));
-  for (std::size_t k = 0; k < hull.size(); ++k) vertices.col(static_cast<Index>(k)) = hull[k];
-  return Polygon(vertices);
-}
-
 HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double top,
                     double cell) {
   if (!points.allFinite()) throw std::invalid_argument("points must be finite");
@@ -163,7 +140,7 @@ HeightMap seen_heights(const Eigen::Matrix3Xd& points, const std::vector<RayImag
     validate(image, "rays");
     passed.add(image);
   }
-  const Polygon hull = hull_of(outline);
+  const Polygon hull(convex_outline(outline.vertices()));
   for (Index i = 0; i < map.heights.rows(); ++i) {
     poll();
     for (Index j = 0; j < map.heights.cols(); ++j) {

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import frames
+from ... import frames, geometry
 from ..parts import slice_links
 from ..robots import apply, robot_spec
 from ..settings import Slide, Solver
@@ -174,7 +174,8 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
             _mark(add_prism(spec, body, part, (0.0, thickness), name=f"{OBJECT}{i}"), OBJECT)
     else:
         for i, placed in enumerate(thing.shapes):
-            _mark(_add_column(body, placed, variation, f"{OBJECT}{i}"), OBJECT)
+            column = _stretched(placed, variation.thickness)
+            _mark(add_placed(spec, body, column, name=f"{OBJECT}{i}"), OBJECT)
     r = settings.foot_radius
     for i, p in enumerate(even_points(thing.outline, settings.feet)):
         _add_foot(body, f"{FOOT}{i}", [*p, r], settings)
@@ -182,15 +183,11 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
         _add_foot(body, f"{FOOT} of rim {i}", [*p, r + settings.rim_rise], settings)
 
 
-def _add_column(body: Any, placed: Any, variation: Variation, name: str) -> Any:
-    """Adds a box of the heights of an object."""
-    scale = np.array([1.0, 1.0, variation.thickness])
-    return body.add_geom(
-        name=name,
-        type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=scale * placed.shape.size / 2,
-        pos=scale * np.asarray(placed.X_BG)[:3, 3],
-    )
+def _stretched(placed: Any, factor: float) -> geometry.PlacedShape:
+    """Returns a box of the heights of an object, higher by a factor."""
+    scale = np.array([1.0, 1.0, factor])
+    p_OG = scale * np.asarray(placed.X_BG)[:3, 3]
+    return geometry.PlacedShape(geometry.Box(scale * placed.shape.size), frames.translation(p_OG))
 
 
 def _add_body(spec: Any, truth: Body, X_WO: Matrix, variation: Variation) -> None:

@@ -168,7 +168,7 @@ TEST(SeenHeights, ASecondCameraLowersTheShadow) {
   EXPECT_GT(a.underside_at({0.0026, 0.01}), kHigh - 1e-3);
 }
 
-/// What is above a gap between rays may be solid, whatever passes below.
+/// The object may be solid above a gap between rays, even if a ray passes below.
 TEST(SeenHeights, OnlyAnUnbrokenRowOfRaysLowersACell) {
   Seen seen;
   look(-0.6, seen);
