@@ -16,8 +16,9 @@ namespace {
 
 constexpr int kDirections = 36;
 constexpr int kLeastColumns = 5, kMostColumns = 400;
-constexpr double kColumn = 0.001;    // [m]
-constexpr double kLeastPad = 0.010;  // over which a noisy outline is averaged [m]
+constexpr double kColumn = 0.001;   // [m]
+constexpr double kFace = 0.010;     // over which a noisy outline is averaged [m]
+constexpr double kOffPad = 0.0015;  // of a contact behind the outermost point on a flat pad [m]
 
 /// Lower and upper boundary of a polygon over columns of equal width.
 struct Profile {
@@ -86,19 +87,26 @@ std::vector<Faces> opposite_faces(const geometry::Polygon& outline, const Vector
     const double com_x = (turn.inverse() * com).x();
     const auto size = along.x.size();
     const double across = static_cast<double>(size) * along.column;
-    const double window = std::max(pad, std::min(kLeastPad, across / 2));
-    const auto wanted = static_cast<std::size_t>(std::ceil(window / along.column));
-    const std::size_t count = std::clamp<std::size_t>(wanted, 2, size);
-    const std::size_t step = std::max<std::size_t>(1, count / 2);
+    const auto columns = [&](double length) {
+      return std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(length / along.column)), 2,
+                                     size);
+    };
+    const std::size_t face = columns(std::min(kFace, across / 2)),
+                      count = std::max(face, columns(pad));
+    const std::size_t step = std::max<std::size_t>(1, face / 2);
     for (std::size_t begin = 0; begin + count <= size; begin += step) {
       const auto low = along.low.begin() + static_cast<std::ptrdiff_t>(begin),
                  high = along.high.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto n = static_cast<std::ptrdiff_t>(count);
       const double bottom = *std::min_element(low, low + n),
                    top = *std::max_element(high, high + n);
+      const std::size_t inner = begin + (count - face) / 2, middle = inner + face / 2;
+      // A pad that is longer than the face is flat, and touches what is outermost.
+      const double behind = std::max(along.low[middle] - bottom, top - along.high[middle]);
+      if (count > face && behind > kOffPad) continue;
       const double x = (along.x[begin] + along.x[begin + count - 1]) / 2;
-      const double steep = std::max(steepest(along.low, begin, count, along.column),
-                                    steepest(along.high, begin, count, along.column));
+      const double steep = std::max(steepest(along.low, inner, face, along.column),
+                                    steepest(along.high, inner, face, along.column));
       found.push_back({yaw, turn * Vector2d(x, bottom), turn * Vector2d(x, top), top - bottom,
                        steep, std::abs(x - com_x)});
     }

@@ -184,6 +184,33 @@ TEST(Faces, EncloseTheOutline) {
   }
 }
 
+/// A flat pad touches what is outermost along it: there the contacts are, and there the faces are
+/// opposite each other.
+TEST(Faces, OfLongPadsAreWhereThePadsTouch) {
+  std::mt19937_64 rng(11);
+  std::uniform_real_distribution<double> radius(0.01, 0.04), squash(0.4, 1), noise(-0.0005, 0.0005);
+  for (int i = 0; i < 20; ++i) {
+    const double r = radius(rng), flat = squash(rng);
+    Eigen::Matrix2Xd corners(2, 60);
+    for (Eigen::Index k = 0; k < corners.cols(); ++k) {
+      const double angle = 2 * kPi * static_cast<double>(k) / 60, here = r + noise(rng);
+      corners.col(k) << here * std::cos(angle), flat * here * std::sin(angle);
+    }
+    const geometry::Polygon outline(corners);
+    const std::vector<Faces> found = opposite_faces(outline, Vector2d::Zero(), 0.02);
+    ASSERT_FALSE(found.empty()) << i;
+    for (const Faces& pair : found) {
+      const Vector2d across(std::cos(pair.yaw), std::sin(pair.yaw)), along(-across.y(), across.x());
+      for (const auto& [p, outward] : {std::pair(pair.first, -1.0), {pair.second, 1.0}}) {
+        EXPECT_NEAR(outline.depth(p), 0, 0.002);
+        for (const double u :
+             {-0.008, -0.004, 0.0, 0.004, 0.008})  // the outline is between the pads
+          EXPECT_FALSE(outline.contains(p + outward * 5e-4 * across + u * along));
+      }
+    }
+  }
+}
+
 TEST(Jaw, OpensAsTheShapesSay) {
   const Problem problem = standing(rectangle(0.1, 0.03), 0.05);
   const Jaw jaw(problem);
