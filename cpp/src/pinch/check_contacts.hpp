@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "graspless/pinch/pinch.hpp"
 
 namespace graspless::pinch {
+
+/// Force of each finger at the end of a plan [N]: options.grip_force, or that of half the effort
+/// limits of the hand's joints, by the Jacobians of both contacts. Nothing if a joint has no limit.
+std::optional<double> finger_force(const Problem& problem, const Plan& plan,
+                                   const Options& options);
 
 /// Tests whether the contacts of a plan lie on opposite faces of the outline, near enough to the
 /// centre of mass. Returns faults.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -156,7 +157,12 @@ class WallExamination {
   /// The pads bear force, twist and tilt: see largest_mass().
   void check_mass(double friction, double rise) {
     const Vector2d arm = problem_.object.com().head<2>() - middle_;
-    const double press = options_.grip_force, mu = problem_.hand.pad_friction,
+    const std::optional<double> force = finger_force(problem_, plan_, options_);
+    if (!force) {
+      fault("the effort limit of a joint that closes the hand is unknown");
+      return;
+    }
+    const double press = *force, mu = problem_.hand.pad_friction,
                  weight = kWeight * problem_.object.mass(),
                  swing = kHangs * std::max(0.0, height_ - problem_.object.com().z());
     const double left = mu - std::min(friction, plan_.friction), half = options_.patch - rise;

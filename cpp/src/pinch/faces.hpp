@@ -25,7 +25,8 @@ struct Faces {
   /// How far the pads' contacts may be above the middle of the pads, because nobody saw a face
   /// lower down [m].
   double rise = 0;
-  double load = 0;  ///< mass of the object, relative to the largest that the pads hold there
+  double max_mass = 0;                          ///< largest that the pads hold there [kg]
+  double load = 0;                              ///< mass of the object, relative to max_mass
   std::optional<double> height = std::nullopt;  ///< of the contacts, where the faces have one [m]
   Eigen::Vector2d middle() const { return (first + second) / 2; }
 };

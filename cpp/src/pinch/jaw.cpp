@@ -120,6 +120,20 @@ std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
   return boxes;
 }
 
+Eigen::VectorXd Jaw::gap_rates(double closing) const {
+  constexpr double kTurn = 1e-4;
+  Eigen::VectorXd rates = Eigen::VectorXd::Ones(q_open_.size());
+  for (const int joint : problem_.robot.group(problem_.hand.arm)) rates[joint] = 0;
+  const Grip here = closed_by(closing);
+  for (Eigen::Index j = 0; j < rates.size(); ++j) {
+    if (rates[j] == 0) continue;
+    Eigen::VectorXd q = here.q;
+    q[j] += kTurn;
+    rates[j] = (gap(q) - here.gap) / kTurn;
+  }
+  return rates;
+}
+
 double Jaw::reach(const Grip& grip, const Vector3d& direction_H) const {
   double largest = -std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd* q : {&q_open_, &grip.q}) {

@@ -55,6 +55,11 @@ class Jaw {
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
   /// How far the fingers reach along a direction of H: open, and at a grip [m].
   double reach(const Grip& grip, const Eigen::Vector3d& direction_H) const;
+  /// By how much the fingers come apart per unit of each joint of the hand, when it has closed by a
+  /// share from 0 to 1 [m/rad or 1]. 0 for joints of the arm.
+  Eigen::VectorXd gap_rates(double closing) const;
+  /// Distance between the fingers of the hand that has closed by a share from 0 to 1 [m].
+  double gap_at(double closing) const { return closed_by(closing).gap; }
 
  private:
   Grip at(const Eigen::VectorXd& q) const;

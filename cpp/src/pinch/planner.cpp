@@ -6,7 +6,6 @@
 #include "graspless/pinch/pinch.hpp"
 
 #include "pinch/grasps.hpp"
-#include "pinch/walls.hpp"
 #include "planning/plan_within.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/hand_motion.hpp"
@@ -155,8 +154,7 @@ class Search {
     plan.reason.clear();
     plan.X_WH_grasp = pinch.grasp.X_WH;
     plan.friction = pinch.grasp.faces.friction;
-    if (problem_.object.heights())
-      plan.max_mass = largest_mass(pinch.grasp.faces, problem_.hand.pad_friction, options_);
+    if (problem_.object.heights()) plan.max_mass = pinch.grasp.faces.max_mass;
     plan.contacts_O.resize(3, 2);
     plan.contacts_O.topRows<2>() << pinch.grasp.faces.first, pinch.grasp.faces.second;
     plan.contacts_O.row(2).setConstant(pinch.grasp.height);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pinch/grasps.hpp"
+#include "pinch/press.hpp"
 #include "pinch/walls.hpp"
 
 namespace graspless::pinch {
@@ -130,9 +131,19 @@ std::vector<Faces> thin_walls(std::vector<Faces> faces, const Options& options, 
 
 /// Walls at which the pads hold the object, with the part of its load that they bear.
 std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& problem,
-                                 const Options& options, Grasps& result) {
+                                 const Options& options, const Jaw& jaw, Grasps& result) {
+  const Press press(problem, options, jaw);
+  if (!press.unknown().empty()) {
+    return refused_walls(result, Status::unknown_force,
+                         "what the pads bear is unknown: the URDF has no effort limit for joint '" +
+                             press.unknown() +
+                             "', which closes the hand, and options.grip_force "
+                             "is not given");
+  }
   for (Faces& wall : faces) {
-    wall.load = problem.object.mass() / largest_mass(wall, problem.hand.pad_friction, options);
+    const Pads pads{problem.hand.pad_friction, press.at(wall.width), options.patch};
+    wall.max_mass = largest_mass(wall, pads);
+    wall.load = problem.object.mass() / wall.max_mass;
   }
   const Faces best = least_of(faces, [](const Faces& wall) { return wall.load; });
   keep(faces, [](const Faces& wall) { return wall.load <= 1; });
@@ -149,8 +160,8 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
   return refused_walls(
       result, Status::too_heavy,
       text_of("held by a wall that is %.0f mm from the centre of mass, the pads bear %.2f kg at "
-              "%g N a finger; it weighs %.2f kg",
-              away, problem.object.mass() / best.load, options.grip_force, problem.object.mass()));
+              "%.3g N a finger; it weighs %.2f kg",
+              away, best.max_mass, press.at(best.width), problem.object.mass()));
 }
 
 }  // namespace
@@ -168,7 +179,7 @@ std::vector<Faces> select_walls(const Problem& problem, const Options& options, 
                              in_mm(least) + " or more over the support");
   }
   faces = thin_walls(std::move(faces), options, jaw, result);
-  if (!faces.empty()) faces = bearing_walls(std::move(faces), problem, options, result);
+  if (!faces.empty()) faces = bearing_walls(std::move(faces), problem, options, jaw, result);
   if (faces.empty()) return faces;
   const Room room(*problem.object.heights(), jaw);
   const Faces widest = least_of(faces, [&](const Faces& wall) { return room.missing(wall); });

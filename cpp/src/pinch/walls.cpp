@@ -220,12 +220,11 @@ std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& 
   return found;
 }
 
-double largest_mass(const Faces& faces, double pad_friction, const Options& options) {
-  const double press = options.grip_force, a = options.patch,
-               swing = kSwing * std::max(0.0, faces.drop);
-  const double force = 2 * (pad_friction - faces.friction) * press,
-               twist = 4.0 / 3 * pad_friction * a * press,
-               tilt = 2 * kEven * (a - faces.rise) * press;
+double largest_mass(const Faces& faces, const Pads& pads) {
+  const double a = pads.half, swing = kSwing * std::max(0.0, faces.drop);
+  const double force = 2 * (pads.friction - faces.friction) * pads.press,
+               twist = 4.0 / 3 * pads.friction * a * pads.press,
+               tilt = 2 * kEven * (a - faces.rise) * pads.press;
   const double lever = std::max(0.0, faces.lever - swing),
                offset = std::max(0.0, faces.offset - swing);
   if (force <= 0 || faces.rise > kMostRise * a) return 0;

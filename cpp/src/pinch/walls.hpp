@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "graspless/geometry/height_map.hpp"
-#include "graspless/pinch/options.hpp"
 
 #include "pinch/faces.hpp"
 
@@ -18,15 +17,21 @@ namespace graspless::pinch {
 std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& com, double length,
                          const std::vector<double>& heights, double above);
 
-/// Largest mass that two pads hold by a wall [kg]. Each presses with F = options.grip_force, and
-/// its contact spreads over a = options.patch to each side. The weight W, at a lever l along the
-/// wall and an offset d across it, must be within all that the contacts bear:
+/// Both pads of a hand.
+struct Pads {
+  double friction;  ///< coefficient on the object, mu
+  double press;     ///< force of each, F [N]
+  double half;      ///< half length of its contact, a [m]
+};
+
+/// Largest mass that two pads hold by a wall [kg]. The weight W, at a lever l along the wall and an
+/// offset d across it, must be within all that the contacts bear:
 ///   force and twist  (W / (2 (mu - s) F))^2 + (W l / (4/3 mu a F))^2 <= 1
 ///   tilt             W d <= (a - r) F, half of what contacts bear that are even
-/// with the pads' coefficient of friction mu and what the slopes of the faces take of it, s.
+/// where s is what the slopes of the faces take of the friction.
 /// A centre of mass below the contacts lets the object swing a little, which makes l and d shorter.
 /// Where a face leans, or nobody saw it as low as the pads reach, a contact is shorter, and r
 /// higher.
-double largest_mass(const Faces& faces, double pad_friction, const Options& options);
+double largest_mass(const Faces& faces, const Pads& pads);
 
 }  // namespace graspless::pinch

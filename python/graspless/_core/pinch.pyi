@@ -20,7 +20,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex = 8.0, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -67,14 +67,14 @@ class Options:
     def grasps(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
-    def grip_force(self) -> float:
+    def grip_force(self) -> float | None:
         """
-        Force of each finger on a wall of an object with heights, once the hand has closed: what the pads bear of its weight.
+        Force of each finger once the hand has closed. By default that of half the effort limits of the joints that close the hand.
         
-        Unit: N. Range: (0, 1000]. Default: 8.0.
+        Unit: N. Range: (0, 1000].
         """
     @grip_force.setter
-    def grip_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def grip_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def margin(self) -> float:
@@ -238,6 +238,7 @@ class Status(graspless._named.Named):
     too_heavy = ...
     too_slippery = ...
     too_wide = ...
+    unknown_force = ...
 class Plan:
     """
     Result of a query. False unless it is solved.

@@ -50,7 +50,7 @@ struct Cup {
   }
 };
 
-Problem with_cup(const Cup& cup, double mass = 0.1, double x = 0.6, double y = 0.1,
+Problem with_cup(const Cup& cup, double mass = 0.06, double x = 0.6, double y = 0.1,
                  double yaw = 0.4) {
   const HeightMap map = sampled([&](const Vector2d& p) { return cup.at(p); }, cup.radius + 0.01);
   const Object object = Object::prism("cup", slide::disc(cup.radius, 48, {0, 0}), cup.height)
@@ -94,23 +94,21 @@ TEST(Walls, WhatNobodySawBearsLess) {
 }
 
 TEST(Walls, TheMassIsTheOneThatTheFormulaGives) {
-  Options options;
-  options.grip_force = 10;
-  options.patch = 0.01;
+  const double mu = 1.0, g = 9.81;
+  const Pads pads{mu, 10, 0.01};
   Faces faces{};
   faces.friction = 0.2;
-  const double mu = 1.0, g = 9.81;
-  EXPECT_NEAR(largest_mass(faces, mu, options), 2 * 0.8 * 10 / g, 1e-12);
+  EXPECT_NEAR(largest_mass(faces, pads), 2 * 0.8 * 10 / g, 1e-12);
   faces.offset = 0.05;  // across: tilt alone counts
-  EXPECT_NEAR(largest_mass(faces, mu, options), 10 * 0.01 / 0.05 / g, 1e-12);
+  EXPECT_NEAR(largest_mass(faces, pads), 10 * 0.01 / 0.05 / g, 1e-12);
   faces.rise = 0.005;
-  EXPECT_NEAR(largest_mass(faces, mu, options), 10 * 0.005 / 0.05 / g, 1e-12);
+  EXPECT_NEAR(largest_mass(faces, pads), 10 * 0.005 / 0.05 / g, 1e-12);
   faces = Faces{};
   faces.lever = 0.05;  // along: force and twist
   const double twist = 4.0 / 3 * mu * 0.01 * 10;
-  EXPECT_NEAR(largest_mass(faces, mu, options), 1 / std::hypot(1 / 20.0, 0.05 / twist) / g, 1e-12);
+  EXPECT_NEAR(largest_mass(faces, pads), 1 / std::hypot(1 / 20.0, 0.05 / twist) / g, 1e-12);
   faces.friction = 1.1;
-  EXPECT_EQ(largest_mass(faces, mu, options), 0);
+  EXPECT_EQ(largest_mass(faces, pads), 0);
 }
 
 TEST(Walls, MoreOfAnythingBearsLess) {
@@ -122,14 +120,15 @@ TEST(Walls, MoreOfAnythingBearsLess) {
     faces.lever = 0.1 * part(rng);
     faces.offset = 0.1 * part(rng);
     faces.rise = 0.008 * part(rng);
-    const double mass = largest_mass(faces, 1.16, {});
+    const Pads pads{1.16, 8, 0.008};
+    const double mass = largest_mass(faces, pads);
     for (double Faces::*member : {&Faces::friction, &Faces::lever, &Faces::offset, &Faces::rise}) {
       Faces worse = faces;
       worse.*member += 0.01;
-      EXPECT_LE(largest_mass(worse, 1.16, {}), mass);
+      EXPECT_LE(largest_mass(worse, pads), mass);
     }
     faces.drop = 0.1;  // it hangs lower
-    EXPECT_GE(largest_mass(faces, 1.16, {}), mass);
+    EXPECT_GE(largest_mass(faces, pads), mass);
   }
 }
 
@@ -203,6 +202,25 @@ TEST(RimPinch, RefusesWithTheNumberInTheWay) {
     EXPECT_EQ(to_string(found.status), to_string(one.status)) << one.name << ": " << found.reason;
     EXPECT_NE(found.reason.find(one.words), std::string::npos) << one.name << ": " << found.reason;
   }
+}
+
+/// Nothing is assumed about a hand whose URDF has no effort limit.
+TEST(RimPinch, NeedsTheForceOfTheHand) {
+  Problem problem = with_cup({});
+  std::string urdf = problem.robot.urdf();
+  const std::string given = " effort=\"2\"";
+  for (std::size_t at; (at = urdf.find(given)) != std::string::npos;) urdf.erase(at, given.size());
+  problem.robot = robot::Robot::from_urdf(urdf, problem.robot.options());
+  const Plan unknown = pinch::plan(problem);
+  EXPECT_EQ(unknown.status, Status::unknown_force) << unknown.reason;
+  EXPECT_NE(unknown.reason.find("joint 'left_finger_joint'"), std::string::npos);
+  EXPECT_NE(unknown.reason.find("options.grip_force"), std::string::npos);
+  Options options;
+  options.grip_force = 8;
+  const Plan found = pinch::plan(problem, options);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(all(check(problem, found, options)), "");
+  EXPECT_NE(all(check(problem, found)).find("effort limit"), std::string::npos);
 }
 
 /// A cup whose wall is lower on one side is taken where it is high.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "graspless/export.hpp"
 #include "graspless/planning/fields.hpp"
 
@@ -13,7 +15,7 @@ struct Options {
   double margin = 0.002;
   double clearance = 0.0015;
   double max_lever = 0.08;
-  double grip_force = 8;
+  std::optional<double> grip_force;
   double patch = 0.008;
   double approach = 0.08;
   int grasps = 300;
@@ -41,8 +43,8 @@ constexpr auto fields(const Options&) {
             "above, of an object without heights.",
             Range::closed(0, 1)},
       Field{"grip_force", &Options::grip_force, "N",
-            "Force of each finger on a wall of an object with heights, once the hand has closed: "
-            "what the pads bear of its weight.",
+            "Force of each finger once the hand has closed. By default that of half the effort "
+            "limits of the joints that close the hand.",
             Range::left_open(0, 1000)},
       Field{"patch", &Options::patch, "m",
             "Half length of a pad's contact with a wall of an object with heights. The wall rises "

@@ -33,6 +33,7 @@ enum class Status {
   too_flat,
   too_slippery,
   too_heavy,
+  unknown_force,
   no_room,
   not_reached,
   interrupted,
@@ -56,6 +57,9 @@ constexpr auto choices(Status) {
           "centre of mass."},
       Choice{Status::too_heavy, "too_heavy",
              "Held by a wall that fits the hand, the object would turn in the hand or slip out."},
+      Choice{Status::unknown_force, "unknown_force",
+             "The URDF has no effort limit for a joint that closes the hand, and "
+             "options.grip_force is not given."},
       Choice{Status::no_room, "no_room",
              "Beside each wall that fits the hand, an open finger would stand in the object."},
       Choice{Status::not_reached, "not_reached",
