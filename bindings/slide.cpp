@@ -76,7 +76,12 @@ void bind_object(py::module_& m) {
           "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
       .def_property_readonly("is_thin", &Object::is_thin,
                              "True if the thickness is at most half the least width.")
-      .def_property_readonly("thickness", &Object::thickness, "Thickness [m].")
+      .def_property_readonly("thickness", &Object::thickness,
+                             "Thickness, that of the highest part [m].")
+      .def_property_readonly(
+          "top", &Object::top,
+          "Height of the face on which a finger presses [m]: the thickness of a prism, or that of "
+          "the level part of the heights that has the most points.")
       .def_property_readonly(
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
@@ -99,8 +104,8 @@ void bind_object(py::module_& m) {
           "heights", [](const Object& self) { return self.heights(); },
           "geometry.HeightMap of the object in O; None if it is a prism.")
       .def("with_heights", &Object::with_heights, py::arg("heights_O"),
-           "Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism: "
-           "only pinches take it.\n\nRaises ValueError if the map is higher than the thickness.")
+           "Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism."
+           "\n\nRaises ValueError if the map is higher than the thickness.")
       .def("scaled", &Object::scaled, py::arg("scale"),
            "Returns a copy scaled in its plane. Thickness and mass stay the same.")
       .def("__repr__", [](const py::object& self) {

@@ -169,7 +169,7 @@ def test_what_cannot_be_held_has_its_number(shapes, mass, status, words):
 
 def test_heights_are_seen_no_lower_than_they_are():
     scene = seen(round_cup())
-    fields = heights_fields(wish(scene))
+    fields = heights_fields(wish(scene), 0.0025)
     rows, undersides = np.array(fields["rows"]), np.array(fields["undersides"])
     thing = scene.objects[0]
     X_TO = np.linalg.inv(frames.planar(0.6, 0.05, 0.4)) @ thing.X_WO
@@ -189,7 +189,7 @@ def test_the_thin_bottom_of_a_vessel_is_no_wall():
     scene = seen(box_cup(bottom=0.0015))
     thing = scene.objects[0]
     assert max(np.asarray(image.clear).max() for image in thing.rays) > 0.5
-    rows = np.array(heights_fields(wish(scene))["rows"])
+    rows = np.array(heights_fields(wish(scene), 0.0025)["rows"])
     middle = rows[tuple(slice(n // 2 - 4, n // 2 + 4) for n in rows.shape)]
     assert np.median(middle) < 0.05
     assert rim(scene, mass=0.06)
@@ -203,7 +203,7 @@ def test_a_scene_file_keeps_what_the_heights_need(tmp_path):
     scene = seen(box_cup(bottom=0.0015))
     perception.save_scene(scene, tmp_path / "scene.yaml")
     again = perception.load_scene(tmp_path / "scene.yaml")
-    a, b = (np.array(heights_fields(wish(one))["rows"]) for one in (scene, again))
+    a, b = (np.array(heights_fields(wish(one), 0.0025)["rows"]) for one in (scene, again))
     assert a.shape == b.shape
     assert (np.abs(a - b) < 0.003).mean() > 0.98  # the file rounds the rays
 
@@ -263,11 +263,23 @@ def test_bad_heights_are_named(change, words):
     assert words in str(caught.value)
 
 
-def test_a_slide_takes_no_heights():
+def test_a_tray_is_slid_with_the_finger_in_it():
+    picked = graspless.pick(
+        seen(box_cup(side=0.16, height=0.03, bottom=0.006)), "object_0", "wam_t42", strategies=["slide"], mass=0.1
+    )
+    assert picked, picked.reason
+    assert graspless.check(picked.plan) == []
+    tray = picked.plan.stages[0].task.problem.object
+    assert tray.top < 0.01
+    assert tray.thickness == pytest.approx(0.03, abs=0.003)
+
+
+def test_a_slide_needs_a_level_part():
     task = chain_of("slide", wish(seen(box_cup(height=0.03))), 1, 5.0)
     stage = {k: v for k, v in task["stages"][0].items() if k != "name"} | {"robot": task["robot"]}
-    stage["object"]["heights"] = {"corner": [0, 0], "cell": 0.01, "rows": [[0.01]]}
-    with pytest.raises(TaskError, match="heights are for a pinch"):
+    rows = [[0.0022 * i] * 14 for i in range(14)]
+    stage["object"]["heights"] = {"corner": [-0.07, -0.07], "cell": 0.01, "rows": rows}
+    with pytest.raises(TaskError, match="nothing to press on"):
         graspless.plan(stage)
 
 

@@ -43,7 +43,7 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       arm_(arm),
       X_SW_(problem.support.X_WS().inverse()),
       normal_W_(problem.support.normal_W()),
-      top_(problem.object.thickness()),
+      top_(problem.object.top()),
       fingertip_(problem.robot.frame(problem.hand.fingertip)),
       scene_(make_scene(problem)),
       object_body_(scene_.world().body(kObjectBody)),

@@ -63,6 +63,8 @@ std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
     return "the fingertip presses into a hole of the object, " + in_mm(nearest) +
            " from its nearest point";
   }
+  if (!object.has_face_at(p_OC, face_radius(query.problem.hand)))
+    return "the fingertip presses where the object is not level";
   const double margin = rim_margin(object, query.options);
   if (inside >= margin - kAtRim) return "";
   return "the fingertip presses only " + in_mm(inside) +

@@ -16,6 +16,7 @@ using Points = std::vector<Eigen::Vector2d>;
 
 constexpr Eigen::Index kPolled = 256;  // points between two polls
 constexpr double kSurely = 1 - 1e-6;   // of a square distance
+constexpr double kLeastReach = 0.02;   // of fingers that close on an edge [m]
 
 geometry::Polygon::Edge draw_edge(const Support& support, std::mt19937_64& rng) {
   const geometry::Polygon& Q = support.polygon();
@@ -82,6 +83,25 @@ double rim_margin(const Object& object, const Options& options) {
   return std::min(options.rim_margin, object.depths().maxCoeff() / 2);
 }
 
+double face_radius(const Hand& hand) {
+  constexpr double kLeast = 0.01;  // [m]
+  return std::max(kLeast, hand.pad_width / 2);
+}
+
+std::vector<std::int32_t> contact_points(const Problem& problem, const Options& options) {
+  const Object& object = problem.object;
+  const Eigen::VectorXd& depths = object.depths();
+  const double margin = rim_margin(object, options), radius = face_radius(problem.hand);
+  std::vector<std::int32_t> kept;
+  kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
+  for (Eigen::Index i = 0; i < depths.size(); ++i) {
+    if (i % kPolled == 0) poll();
+    if (depths[i] >= margin && object.has_face_at(object.points().col(i), radius))
+      kept.push_back(static_cast<std::int32_t>(i));
+  }
+  return kept;
+}
+
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin) {
   const Eigen::Vector3d com_S = spatial(object_S) * problem.object.com();
   const Eigen::Vector3d down_S = -problem.support.X_WS().linear().row(2).transpose();
@@ -121,6 +141,10 @@ Placement placement(const Problem& problem, const Options& options, const Planar
   for (const auto& p : out) {
     result.overhang = std::max(result.overhang, -result.edge.inward.dot(p - result.edge.a));
   }
+  // The fingers reach from out_center to the end of what sticks out.
+  const double reach = result.overhang + result.edge.inward.dot(result.out_center - result.edge.a);
+  result.height = problem.object.height_near(object_S.inverse() * result.out_center,
+                                             std::max(kLeastReach, reach));
   if (!is_over_usable_edges) {
     result.overhang = 0;
     result.fault = "edge not usable";
@@ -138,7 +162,7 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
   X_SH.linear().col(1) << 0, 0, up;
   X_SH.linear().col(0) = X_SH.linear().col(1).cross(X_SH.linear().col(2));
   X_SH.translation().head<2>() = placement.out_center - back * in;
-  X_SH.translation().z() = problem.object.thickness() / 2;
+  X_SH.translation().z() = placement.height / 2;
   return problem.support.X_WS() * X_SH;
 }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "graspless/slide/slide.hpp"
 
@@ -23,6 +25,7 @@ struct Placement {
   /// ring: of the largest part, or its point nearest to that part's centre.
   Eigen::Vector2d out_center;
   geometry::Polygon::Edge edge{};  ///< the edge nearest to out_center
+  double height = 0;               ///< of the object, near out_center [m]
   bool com_inside = false;         ///< the centre of mass is at least com_margin inside Q
   std::string fault = "overhang";  ///< what is wrong if the overhang is too small
 };
@@ -33,12 +36,19 @@ Placement placement(const Problem& problem, const Options& options, const Planar
 /// options.rim_margin, at most half of the largest that the object allows. Minus infinity for 0.
 double rim_margin(const Object& object, const Options& options);
 
+/// Radius around a contact in which a slide needs the object's top face [m].
+double face_radius(const Hand& hand);
+
+/// Indices of those of P_o on which the finger may press: not within rim_margin() of the outline,
+/// and on the object's top face.
+std::vector<std::int32_t> contact_points(const Problem& problem, const Options& options);
+
 /// True if the centre of mass, projected along gravity, lies at least `margin` [m] inside the
 /// polygon.
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin);
 
 /// H_g: perpendicular to the edge in the plane of Q, with the finger plane vertical, half the
-/// object's thickness above the support at the centre of P_out, moved outwards by `back` [m].
+/// object's height there above the support at the centre of P_out, moved outwards by `back` [m].
 /// `roll` 0 or 1 chooses which finger is on top.
 Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll,
                              double back = 0);

@@ -17,6 +17,8 @@ namespace {
 constexpr Eigen::Index kPolledRows = 256;  // points between two polls
 constexpr double kMinFriction = 1e-6;
 constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
+constexpr double kLevel = 0.0025;           // of heights from that of the face [m]
+constexpr double kLevelRadius = 0.01;       // of discs that are level or not [m]
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 void check_within(const std::string& what, double value, double least, double largest,
@@ -114,6 +116,26 @@ Eigen::Matrix2Xd outermost_of(const Eigen::Matrix2Xd& points) {
                                             static_cast<Eigen::Index>(found.size()));
 }
 
+/// Height at which the most of some points of a map are level; nothing if none is.
+std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::Matrix2Xd& points) {
+  std::vector<double> level;
+  for (const auto& p : points.colwise()) {
+    poll();
+    const auto [least, largest] = map.range_near(p, kLevelRadius);
+    if (least > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
+  }
+  std::sort(level.begin(), level.end());
+  std::optional<double> height;
+  std::ptrdiff_t most = 0;
+  for (auto first = level.begin(), last = first; first != level.end(); ++first) {
+    while (last != level.end() && *last <= *first + kLevel) ++last;
+    if (last - first <= most) continue;
+    most = last - first;
+    height = *(first + most / 2);
+  }
+  return height;
+}
+
 /// Convex prisms that fill the slab between two heights over a polygon.
 std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
                                           double top) {
@@ -157,6 +179,7 @@ Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outl
       top_(std::make_shared<Top>(top_of(outline_, std::move(points)))),
       spacing_(std::sqrt(outline_.area() / static_cast<double>(top_->points.cols()))),
       thickness_(thickness),
+      face_height_(thickness),
       com_(com.x(), com.y(), thickness / 2),
       shapes_(prisms(outline_, 0, thickness)),
       solid_(shapes_, "object '" + name_ + "'") {}
@@ -233,9 +256,20 @@ Object Object::with_heights(const geometry::HeightMap& heights_O) const {
   }
   Object other = *this;
   other.heights_ = heights_O;
+  other.face_height_ = face_height(heights_O, points()).value_or(thickness_);
   other.shapes_ = geometry::columns(heights_O, kColumnStep);
   other.solid_ = collision::Solid(other.shapes_, "object '" + name_ + "'");
   return other;
+}
+
+bool Object::has_face_at(const Eigen::Vector2d& p_O, double radius) const {
+  if (!heights_) return true;
+  const auto [least, largest] = heights_->range_near(p_O, radius);
+  return std::max(face_height_ - least, largest - face_height_) <= kLevel;
+}
+
+double Object::height_near(const Eigen::Vector2d& p_O, double radius) const {
+  return heights_ ? heights_->range_near(p_O, radius).second : thickness_;
 }
 
 Object Object::scaled(double scale) const {

@@ -27,7 +27,7 @@ Query::Query(const Problem& problem, const Options& options, planning::Clock& cl
       free(make_scene(problem)),
       object_body(free.world().body(kObjectBody)),
       object_start(planar(problem.support.X_WS().inverse() * problem.X_WO_start)),
-      top(problem.object.thickness()),
+      top(problem.object.top()),
       X_WS(problem.support.X_WS()) {}
 
 void Query::refuse_collision(const std::string& when, scene::Scene& scene,

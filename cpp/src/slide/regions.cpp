@@ -62,19 +62,6 @@ std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, dou
   return arms.front();
 }
 
-/// Those of P_o that are not within options.rim_margin of the outline.
-std::vector<std::int32_t> inside_points(const Object& object, const Options& options) {
-  const Eigen::VectorXd& depths = object.depths();
-  const double margin = rim_margin(object, options);
-  std::vector<std::int32_t> kept;
-  kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
-  for (Eigen::Index i = 0; i < depths.size(); ++i) {
-    if (i % kPolledPoints == 0) poll();
-    if (depths[i] >= margin) kept.push_back(static_cast<std::int32_t>(i));
-  }
-  return kept;
-}
-
 double draw_depth(Query& query) {
   const auto [min, max] = depth_band(query.problem.hand, query.options);
   return query.uniform(min, max);
@@ -103,7 +90,7 @@ std::optional<Placement> placed(Query& query, const Planar& object_S) {
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
     : planning::SampleableRegion(si),
       query_(query),
-      inside_(inside_points(query.problem.object, query.options)) {}
+      inside_(contact_points(query.problem, query.options)) {}
 
 /// Draws a contact point, uniformly. Where friction is the bottleneck, more of them near the centre
 /// of mass.

@@ -10,6 +10,8 @@
 
 #include "slide/contact.hpp"
 #include "slide/hand_frames.hpp"
+#include "slide/placement.hpp"
+#include "slide/refusals.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -153,10 +155,10 @@ void validate(const Problem& problem, const Options& options) {
                                 "width, not " +
                                 std::to_string(problem.object.thickness()) + " m");
   }
-  if (problem.object.heights()) {
-    throw std::invalid_argument(
-        "object '" + problem.object.name() +
-        "' has heights: a slide takes a prism, and only a pinch takes heights");
+  if (contact_points(problem, options).empty()) {
+    throw std::invalid_argument("object '" + problem.object.name() +
+                                "' has nothing to press on: no part of its top is level within " +
+                                in_mm(face_radius(problem.hand)) + " of a contact");
   }
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);

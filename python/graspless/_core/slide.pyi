@@ -56,7 +56,7 @@ class Object:
         """
     def with_heights(self, heights_O: graspless._core.geometry.HeightMap) -> Object:
         """
-        Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism: only pinches take it.
+        Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism.
         
         Raises ValueError if the map is higher than the thickness.
         """
@@ -107,7 +107,12 @@ class Object:
     @property
     def thickness(self) -> float:
         """
-        Thickness [m].
+        Thickness, that of the highest part [m].
+        """
+    @property
+    def top(self) -> float:
+        """
+        Height of the face on which a finger presses [m]: the thickness of a prism, or that of the level part of the heights that has the most points.
         """
 class Support:
     """

@@ -23,9 +23,8 @@ HIGHEST = 0.9  # quantile of the heights between fingers: a wall is enough to cl
 def doubt(plan: Any, wish: Wish) -> str:
     """Says why the first stage of a chain misses the object as it was measured, or nothing.
 
-    Slides and pinches take the object for a prism as high as its top. A slide needs the measured
-    height where the finger presses, and where the hand closes; a pinch needs that the object is
-    as high as the fingers, unless it was planned on the measured heights.
+    A slide needs the measured height where the finger presses. Plans that take the object for a
+    prism also need it where the hand closes: a slide the whole height, a pinch that of the fingers.
     """
     stage = plan.stages[0]
     if stage.kind == "slide":
@@ -36,14 +35,15 @@ def doubt(plan: Any, wish: Wish) -> str:
 
 
 def _doubt_slide(stage: Any, wish: Wish) -> str:
-    hand = stage.task.problem.hand
+    hand, thing = stage.task.problem.hand, stage.task.problem.object
     near = max(LEAST_NEAR, float(hand.pad_width) / 2)
-    top = float(wish.thing.thickness)
+    top = float(thing.top)
     slide = next(segment for segment in stage.segments if segment.name == "slide")
-    for what, frame, segment, row, lower in (
+    places = [
         ("the finger presses", hand.fingertip, slide, 0, PRESS_LOWER),
         ("the hand closes", hand.grasp_frame, stage.segments[-1], -1, GRIP_LOWER),
-    ):
+    ]
+    for what, frame, segment, row, lower in places[: 1 if thing.heights is not None else None]:
         place = _place(stage, frame, segment, row)
         height = height_at(wish, place, near)
         if height is None:

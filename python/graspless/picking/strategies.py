@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,8 +26,8 @@ TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
 NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
 MOST = 2000  # points that are compared
 SPACING = 0.005  # between points of the outline [m]
-HOLLOW = 0.008  # below the top; a finger that presses gives way by as much [m]
-LEAST_TOP = 0.5  # part of an object that must be as high as its top to be slid
+HOLLOW = 0.004  # below the top of what is flat [m]
+FLAT = 0.9  # part of an object that is as high as its top if it is flat
 CELL = 0.006  # between points at which the height is looked at [m]
 LEAST_SECONDS = 1e-3
 
@@ -55,23 +55,34 @@ class Way:
         Least overhang of a slide, if not that of the planner [m].
     iterations : int or None
         Limit of the search.
+    cell : float
+        Side of the cells if the object is as high as the cameras measured; 0 for a prism [m].
     """
 
     smooth: float = 0.0
     overhang: float | None = None
     iterations: int | None = None
+    cell: float = 0.0
 
 
 # The next way is tried if one finds no plan that holds. Faces of small objects come out best by one
 # outline or the other. A hand that grips an object 2 cm from its edge loses one of 0.2 kg: the
 # weight turns it.
 SMOOTH = 0.0015
+FINE, COARSE = 0.0025, 0.005  # pixels are about 2 mm apart; boxes of coarse heights are fewer [m]
 WAYS = {
     "pinch": (Way(SMOOTH), Way()),
-    "rim": (Way(),),
+    "rim": (Way(cell=FINE),),
     "slide": (Way(SMOOTH, 0.035, 2000), Way(SMOOTH)),
     "clasp": (Way(),),
 }
+
+
+def ways_of(strategy: str, wish: Wish) -> list[Way]:
+    """Returns the ways to ask for a strategy. Only what is flat on top is slid as a prism."""
+    is_flat = strategy != "slide" or top_share(wish) >= FLAT
+    return [way if is_flat else replace(way, cell=COARSE) for way in WAYS[strategy]]
+
 
 
 def chain_of(
@@ -89,6 +100,8 @@ def chain_of(
     grasp = {"name": strategy, "kind": kind, **_FIELDS[strategy](wish)}
     if way.smooth > 0:
         grasp["object"] = object_fields(wish, way.smooth)
+    if way.cell > 0:
+        grasp["object"] = {**grasp["object"], "heights": heights_fields(wish, way.cell)}
     if way.overhang is not None:
         grasp["options"] = {"min_overhang": way.overhang}
     return {
@@ -116,10 +129,6 @@ def _pinch(wish: Wish) -> dict[str, Any]:
         "support": support_fields(wish, None),
         "obstacles": wish.beside,
     }
-
-
-def _rim(wish: Wish) -> dict[str, Any]:
-    return _pinch(wish) | {"object": object_fields(wish) | {"heights": heights_fields(wish)}}
 
 
 def _slide(wish: Wish) -> dict[str, Any]:
@@ -171,12 +180,6 @@ def _refuse_slide(wish: Wish) -> str:
     if height > width / 2:
         lengths = f"{1000 * height:.0f} mm high and {1000 * width:.0f} mm wide"
         return f"{lengths}: only what is lower than half its width is slid"
-    share = top_share(wish)
-    if share < LEAST_TOP:
-        return (
-            f"only {100 * share:.0f} % of it is as high as its top, within {1000 * HOLLOW:.0f} mm: "
-            f"a finger needs {100 * LEAST_TOP:.0f} %"
-        )
     return ""
 
 
@@ -249,7 +252,7 @@ def _narrowest(ring: Matrix) -> float:
 
 _FIELDS: dict[str, Callable[[Wish], dict[str, Any]]] = {
     "pinch": _pinch,
-    "rim": _rim,
+    "rim": _pinch,
     "slide": _slide,
     "clasp": _clasp,
 }

@@ -17,7 +17,7 @@ from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
 from .result import FAULTY, NOT_FOUND, REFUSED
-from .strategies import LEAST_SECONDS, WAYS, chain_of, explained, refusal
+from .strategies import LEAST_SECONDS, chain_of, explained, refusal, ways_of
 
 if TYPE_CHECKING:
     from ..chain import Plan
@@ -127,7 +127,7 @@ def _plan(
     Returns the last plan, what speaks against it, and its faults.
     """
     began = time.monotonic()
-    for way in WAYS[strategy]:
+    for way in ways_of(strategy, wish):
         document = chain_of(strategy, wish, seed, seconds, way)
         task = task_from_dict(document, strategy, resolve=True).with_changes(
             iterations=way.iterations

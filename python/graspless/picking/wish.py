@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from ..perception import Object, Support
 
 
-CELL = 0.0025  # side of the cells of a height map: pixels are about 2 mm apart [m]
 CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
 
 
@@ -145,18 +144,18 @@ def object_fields(wish: Wish, smooth: float = 0.0) -> dict[str, Any]:
     }
 
 
-def heights_fields(wish: Wish) -> dict[str, Any]:
-    """Returns the heights of an object as the cameras measured them: those of a pinch of a rim."""
+def heights_fields(wish: Wish, cell: float) -> dict[str, Any]:
+    """Returns the heights of an object as the cameras measured them, in cells of a side [m]."""
     thing = wish.thing
     top = float(thing.thickness)
-    seen = geometry.seen_heights(thing.points, thing.rays, wish.outline, top, CELL)
+    seen = geometry.seen_heights(thing.points, thing.rays, wish.outline, top, cell)
     rows, undersides = (
         np.round(np.asarray(values), 4).clip(max=top).tolist()
         for values in (seen.heights, seen.undersides)
     )
     return {
         "corner": [float(value) for value in seen.corner],
-        "cell": CELL,
+        "cell": cell,
         "rows": rows,
         "undersides": undersides,
     }

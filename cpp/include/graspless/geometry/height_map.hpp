@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,6 +34,9 @@ struct GRASPLESS_API HeightMap {
   double underside_at(const Eigen::Vector2d& p_O) const {
     return undersides.size() > 0 ? of(undersides, p_O) : 0;
   }
+  /// Least and largest height of the solid within `radius` of a point: of the cells whose centres
+  /// are that near, and of the one at the point. Both are 0 if nothing is there [m].
+  std::pair<double, double> range_near(const Eigen::Vector2d& p_O, double radius) const;
 
  private:
   double of(const Eigen::ArrayXXd& values, const Eigen::Vector2d& p_O) const;

@@ -59,7 +59,15 @@ class GRASPLESS_API Object {
   }
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }
-  double thickness() const { return thickness_; }
+  double thickness() const { return thickness_; }  ///< of its highest part [m]
+  /// Height of the face on which a finger presses [m]: the thickness of a prism. With heights, that
+  /// of the level part of the top that has the most points(), or the thickness if nothing is level.
+  double top() const { return face_height_; }
+  /// True if all that is within `radius` of a point is as high as that face, within 2.5 mm. So is
+  /// a prism everywhere.
+  bool has_face_at(const Eigen::Vector2d& p_O, double radius) const;
+  /// Largest height within `radius` of a point [m]: the thickness of a prism.
+  double height_near(const Eigen::Vector2d& p_O, double radius) const;
   bool is_thin() const;  ///< true if the thickness is at most half the least width
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
@@ -75,8 +83,8 @@ class GRASPLESS_API Object {
   Object with_com(const Eigen::Vector3d& com_O) const;
   /// Returns a copy with another mass [kg]. Throws std::invalid_argument unless it is positive.
   Object with_mass(double mass) const;
-  /// Returns a copy that is as high as a map, in O, and no longer a prism: only pinches take it.
-  /// Throws std::invalid_argument unless the map is valid and nowhere higher than the thickness.
+  /// Returns a copy that is as high as a map, in O, and no longer a prism. Throws
+  /// std::invalid_argument unless the map is valid and nowhere higher than the thickness.
   Object with_heights(const geometry::HeightMap& heights_O) const;
   /// Returns a copy scaled in its plane. Thickness and mass stay the same.
   Object scaled(double scale) const;
@@ -96,7 +104,7 @@ class GRASPLESS_API Object {
   geometry::Polygon outline_;
   std::shared_ptr<const Top> top_;
   double spacing_;
-  double thickness_;
+  double thickness_, face_height_;
   Eigen::Vector3d com_;
   double mass_ = 0.05;
   std::optional<geometry::HeightMap> heights_;

@@ -54,6 +54,26 @@ double HeightMap::of(const Eigen::ArrayXXd& values, const Eigen::Vector2d& p_O) 
   return is_inside ? values(static_cast<Eigen::Index>(x), static_cast<Eigen::Index>(y)) : 0;
 }
 
+std::pair<double, double> HeightMap::range_near(const Eigen::Vector2d& p_O, double radius) const {
+  const Eigen::Vector2d middle = (p_O - corner) / cell;  // in cells
+  const auto index = [](double at, Eigen::Index count) {
+    return static_cast<Eigen::Index>(std::clamp(std::floor(at), 0.0, static_cast<double>(count)));
+  };
+  const double reach = radius / cell, here = at(p_O);
+  std::pair<double, double> range{here, here};
+  for (Eigen::Index i = index(middle.x() - reach, heights.rows());
+       i < index(middle.x() + reach + 1, heights.rows()); ++i) {
+    for (Eigen::Index j = index(middle.y() - reach, heights.cols());
+         j < index(middle.y() + reach + 1, heights.cols()); ++j) {
+      const Eigen::Vector2d center(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
+      if (heights(i, j) == 0 || (center - middle).norm() > reach) continue;
+      if (range.first == 0 || heights(i, j) < range.first) range.first = heights(i, j);
+      range.second = std::max(range.second, heights(i, j));
+    }
+  }
+  return range;
+}
+
 void validate(const HeightMap& map, const std::string& field) {
   const auto refuse = [&](const std::string& what) { throw std::invalid_argument(field + what); };
   if (!map.corner.allFinite() || map.corner.lpNorm<Eigen::Infinity>() > kMaxLength)

@@ -29,7 +29,7 @@ ReplayedFinger Examination::finger(const Eigen::Isometry3d& X_WF) const {
   const Eigen::Isometry3d X_SF = X_SW_ * X_WF;
   const Eigen::Matrix3d R = X_SF.linear();
   Finger f;
-  f.depth = problem_.object.thickness() - X_SF.translation().z();
+  f.depth = problem_.object.top() - X_SF.translation().z();
   f.pitch = std::atan2(-R(2, 2), R.col(2).head<2>().norm());
   f.roll = std::asin(std::clamp(R(2, 0), -1.0, 1.0));
   f.other_finger_up = R(2, 1);
@@ -140,6 +140,25 @@ double Examination::rim_margin() const {
   return std::min(options_.rim_margin, farthest / 2);
 }
 
+/// Where the object has heights, the pad presses on a part of it that is level.
+void Examination::check_face(const Eigen::Vector2d& contact_O) {
+  constexpr double kLevel = 0.003, kStep = 0.001;  // [m]
+  const auto& map = problem_.object.heights();
+  if (!map) return;
+  const double reach = problem_.hand.pad_width / 2;
+  for (double x = -reach; x <= reach; x += kStep) {
+    poll();
+    for (double y = -reach; y <= reach; y += kStep) {
+      const double height = map->at(contact_O + Eigen::Vector2d(x, y));
+      if (height == 0 || std::hypot(x, y) > reach - map->cell) continue;
+      if (std::abs(height - problem_.object.top()) <= kLevel) continue;
+      fault("slide", "the object is " + figure(height) + " m high beside the contact, not " +
+                         figure(problem_.object.top()) + " m");
+      return;
+    }
+  }
+}
+
 void Examination::check_slide() {
   const Segment& slide = segment("slide");
   const Finger start = finger(slide.positions.front());
@@ -152,6 +171,7 @@ void Examination::check_slide() {
   else if (inside < rim_margin() - 0.001) {
     fault(slide, 0, "the contact is " + figure(inside) + " m from the object's rim");
   }
+  check_face(contact_O.head<2>());
   // Eqs. (3) and (4): beta = beta_0 at both ends.
   std::vector<double> pitches{finger(slide.positions.back()).pitch};
   if (has("press")) pitches.push_back(start.pitch);

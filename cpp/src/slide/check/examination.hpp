@@ -85,6 +85,7 @@ class Examination {
                    const Finger& pressed);
   bool is_on_object(const Segment& segment, const Finger& pressed) const;
   double rim_margin() const;
+  void check_face(const Eigen::Vector2d& contact_O);
   void check_slide();
   void check_slide_row(const Segment& slide, std::size_t row, const Eigen::VectorXd& q);
   /// The part of the object that sticks out of the support after the slide.
@@ -96,6 +97,7 @@ class Examination {
     bool is_over_unusable_edge = false;
   };
   Protrusion protrusion() const;
+  double highest_near(const Eigen::Vector2d& p_O, const Protrusion& out) const;
   bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                   const Eigen::Isometry3d& X_SO) const;
   Eigen::Isometry3d object_start() const;

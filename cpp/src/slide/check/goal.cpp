@@ -151,6 +151,23 @@ void Examination::check_pair() {
   }
 }
 
+/// Largest height of the object around the middle of what sticks out, in O, as far as from there to
+/// its end [m].
+double Examination::highest_near(const Eigen::Vector2d& p_O, const Protrusion& out) const {
+  const double reach = std::max(0.02, out.overhang - out.edge.inward.dot(out.edge.a - out.center));
+  const auto& map = problem_.object.heights();
+  if (!map) return problem_.object.thickness();
+  double highest = map->at(p_O);
+  for (Eigen::Index i = 0; i < map->heights.rows(); ++i) {
+    for (Eigen::Index j = 0; j < map->heights.cols(); ++j) {
+      const Eigen::Vector2d cell(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
+      if ((map->corner + map->cell * cell - p_O).norm() <= reach)
+        highest = std::max(highest, map->heights(i, j));
+    }
+  }
+  return highest;
+}
+
 /// Condition 3: the hand reaches H_g along a straight line.
 void Examination::check_grasp() {
   const Segment& grasp = segment("grasp");
@@ -168,7 +185,8 @@ void Examination::check_grasp() {
   if (!(std::abs(X_SH.linear()(2, 1)) >= 1 - kSame)) {
     fault("grasp", "the finger plane is not vertical");
   }
-  const Eigen::Vector3d where(out.center.x(), out.center.y(), problem_.object.thickness() / 2);
+  const Eigen::Vector2d center_O = (planar(X_SW_ * plan_.X_WO_goal).inverse() * out.center);
+  const Eigen::Vector3d where(out.center.x(), out.center.y(), highest_near(center_O, out) / 2);
   if (!(X_SH.translation() - where).isZero(kSame)) {
     fault("grasp", "the hand is not at the middle of the part that sticks out");
   }

@@ -52,14 +52,16 @@ void Replay::raise_support(double rise) {
 
 void Replay::allow_press() {
   constexpr double kRoundOff = 1e-4;
-  const double deepest = max_depth_ + allowed_sink(problem_.hand) + kHeightTolerance + kRoundOff;
+  constexpr double kColumns = 0.006;  // by which columns may be higher than the face [m]
+  const double deepest = max_depth_ + allowed_sink(problem_.hand) + kHeightTolerance + kRoundOff +
+                         (problem_.object.heights() ? kColumns : 0);
   const Eigen::Vector3d normal_W = problem_.support.normal_W();
   for (const std::string& link : problem_.hand.sliding_finger) {
     const int body = replay_.body_of(link);
     if (body < 0) continue;
     replay_.world().allow_contact(body, object_, normal_W, deepest);
     replay_.world().allow_contact(body, support_, normal_W,
-                                  std::max(0.0, deepest - problem_.object.thickness()));
+                                  std::max(0.0, deepest - problem_.object.top()));
   }
 }
 

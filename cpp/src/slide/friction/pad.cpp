@@ -76,7 +76,7 @@ Pad Pads::at(const Planar& X_ST, double depth, double pitch) const {
 }
 
 Pad Pads::at(const PressedRow& row) const {
-  const double top = problem_.object.thickness();
+  const double top = problem_.object.top();
   Pad pad =
       at(effective_tip(problem_.hand, row.tip, top, options_.pitch), row.depth, row.tip.pitch);
   pad.radius = row.radius / problem_.object.mean_distance(row.X_SO.inverse() * row.p_SC);

@@ -19,7 +19,7 @@ double drag_ratio(const Problem& problem, double press) {
 }
 
 PressedRow pressed_row(const Problem& problem, const Tip& tip, const Planar& X_SO) {
-  const double depth = problem.object.thickness() - tip.height;
+  const double depth = problem.object.top() - tip.height;
   const double press = press_force(problem.hand, depth, tip.pitch);
   const Eigen::Vector2d p_SM = X_SO * problem.object.com().head<2>().eval();
   const Eigen::Vector2d p_SC =

@@ -66,7 +66,7 @@ double drag_load(const Problem& problem, const std::vector<PressedRow>& rows) {
     if (step.norm() < kMinStep) continue;
     const double press = press_on(problem, now, step);
     const Planar X_ST =
-        effective_tip(problem.hand, now.tip, problem.object.thickness(), rows.front().tip.pitch);
+        effective_tip(problem.hand, now.tip, problem.object.top(), rows.front().tip.pitch);
     const Eigen::Vector2d p_TC = (now.p_SM - X_ST.translation()) / (1 + press / weight(problem));
     const double e = step.normalized().dot(Eigen::Vector2d(p_TC.y(), -p_TC.x()));
     const double w = problem.hand.pad_width / 4;

@@ -120,7 +120,7 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             built = make(thing.name, polygon, thing.thickness or 0.0, **spacing)
         if thing.heights is not None:
             with at(source, "object", "heights"):
-                built = built.with_heights(build_heights(thing.heights, thin=thin))
+                built = built.with_heights(build_heights(thing.heights))
         if thing.scale != 1:
             built = built.scaled(thing.scale)
     if thing.mass is not None:
@@ -138,10 +138,7 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
     return built
 
 
-def build_heights(heights: model.Heights, *, thin: bool) -> geometry.HeightMap:
-    """Returns the heights of an object. Raises ValueError if it is `thin`: that of a slide."""
-    if thin:
-        raise ValueError("a slide takes a prism: heights are for a pinch")
+def build_heights(heights: model.Heights) -> geometry.HeightMap:
     rows, below = heights.rows, heights.undersides
     undersides = None if below is None else np.array(below, dtype=float)
     return geometry.HeightMap(heights.corner, heights.cell, np.array(rows, dtype=float), undersides)

@@ -105,7 +105,7 @@ class Object(Fields):
     unit: Literal["m", "mm"] = Field(default="m", description="unit of the cloud's file")
     thickness: Positive | None = Field(default=None, description="thickness [m]")
     heights: Heights | None = Field(
-        default=None, description="heights of an object that is no prism; only of a pinch"
+        default=None, description="heights of an object that is no prism"
     )
     spacing: Positive | None = Field(
         default=None, description="distance between contact points [m]"

@@ -32,6 +32,30 @@ bool is_in(const PlacedShape& placed, const Vector3d& p) {
   return ((placed.X_BG.inverse() * p).cwiseAbs().array() <= half.array()).all();
 }
 
+/// The range near a point is that of all cells, looked at one by one.
+TEST(HeightMap, RangeNearAPoint) {
+  std::mt19937_64 rng(5);
+  std::uniform_real_distribution<double> x(-0.05, 0.04), y(0, 0.09), r(0, 0.03);
+  for (int i = 0; i < 200; ++i) {
+    const HeightMap map = random_map(rng);
+    const Vector2d p(x(rng), y(rng));
+    const double radius = r(rng), here = map.at(p);
+    double least = here > 0 ? here : std::numeric_limits<double>::infinity(), largest = here;
+    for (Index a = 0; a < map.heights.rows(); ++a) {
+      for (Index b = 0; b < map.heights.cols(); ++b) {
+        const Vector2d cell(static_cast<double>(a) + 0.5, static_cast<double>(b) + 0.5);
+        const double height = map.heights(a, b);
+        if (height == 0 || (map.corner + map.cell * cell - p).norm() > radius) continue;
+        least = std::min(least, height);
+        largest = std::max(largest, height);
+      }
+    }
+    const auto range = map.range_near(p, radius);
+    EXPECT_EQ(range.second, largest);
+    EXPECT_EQ(range.first, largest > 0 ? least : 0);
+  }
+}
+
 TEST(HeightMap, ColumnsFillItAndDoNotOverlap) {
   std::mt19937_64 rng(1);
   std::uniform_real_distribution<double> x(-0.04, 0.03), y(0.01, 0.08), z(0, 0.06);
