@@ -100,10 +100,11 @@ class Separation {
              Witnesses& witnesses)
       : a_(a), b_(b), X_AB_(X_AB), enough_(enough), witnesses_(witnesses) {}
 
-  /// Searches where the witnesses of the last search do not prove enough.
-  double run() {
+  /// Searches where the witnesses of the last search do not prove enough. With `is_quick`, only
+  /// where a search may improve what they prove to be enough.
+  double run(bool is_quick) {
     const double known = confirm();
-    if (known >= enough_ || (known > 0 && kMuch * known < enough_)) return known;
+    if (known >= enough_ || (is_quick && known > 0 && kMuch * known < enough_)) return known;
     if (witnesses_.empty() || witnesses_.size() > kMany) {
       witnesses_.clear();
       const Vector3d start = a_.hulls[0].middle - X_AB_ * b_.hulls[0].middle;
@@ -190,11 +191,11 @@ class Separation {
       const Vector3d w = nearest(a, b, direction_A);
       const double along = w.dot(direction_A);
       if (along - radii_ > best.distance) best = {along - radii_, direction_A};
-      if (best.distance >= wanted || along >= (1 - kTolerance) * length) break;
+      if (best.distance >= wanted || along - radii_ >= (1 - kTolerance) * (length - radii_)) break;
       const Vector3d v = simplex.add(w);
       length = v.norm();
-      if (!(length > 0)) break;
       const double most = length - radii_;
+      if (!(length > 0 && most > 0)) break;
       if (most < wanted && can_gain(a, b, most)) break;
       direction_A = v / length;
     }
@@ -215,12 +216,12 @@ class Separation {
 
 double separation(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB,
                   double enough, Witnesses& witnesses) {
-  return Separation(a, b, X_AB, enough, witnesses).run();
+  return Separation(a, b, X_AB, enough, witnesses).run(true);
 }
 
 bool are_apart(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB, double margin,
                Witnesses& witnesses) {
-  return Separation(a, b, X_AB, 2 * margin, witnesses).run() > margin;
+  return Separation(a, b, X_AB, 2 * margin, witnesses).run(false) > margin;
 }
 
 }  // namespace graspless::collision

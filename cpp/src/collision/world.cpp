@@ -12,6 +12,17 @@
 #include "collision/world_impl.hpp"
 
 namespace graspless::collision {
+namespace {
+
+void require_length(double length, const char* what) {
+  if (length >= 0 && length <= geometry::kMaxLength) return;
+  std::ostringstream fault;
+  fault << what << " must be in [0, " << geometry::kMaxLength << "] m, not " << length;
+  throw std::invalid_argument(fault.str());
+}
+
+}  // namespace
+
 World::World() : impl_(std::make_unique<Impl>()) {}
 World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
 World& World::operator=(const World& other) {
@@ -77,7 +88,7 @@ void World::add_pair(int a, int b) {
   impl_->require_body(b, "b");
   if (a == b) throw std::invalid_argument("body '" + name(a) + "' cannot be tested against itself");
   if (impl_->find(a, b) >= 0) return;
-  impl_->pairs.push_back({std::min(a, b), std::max(a, b), Eigen::Vector3d::Zero(), {}});
+  impl_->pairs.push_back({std::min(a, b), std::max(a, b), Eigen::Vector3d::Zero(), 0, {}});
   ++impl_->revision;
 }
 
@@ -89,17 +100,8 @@ void World::remove_pair(int a, int b) {
 }
 
 void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double depth) {
-  impl_->require_body(a, "a");
-  impl_->require_body(b, "b");
-  const int pair = impl_->find(a, b);
-  if (pair < 0) {
-    throw std::invalid_argument("bodies '" + name(a) + "' and '" + name(b) + "' are not tested");
-  }
-  if (!(depth >= 0 && depth <= geometry::kMaxLength)) {
-    std::ostringstream fault;
-    fault << "depth must be in [0, " << geometry::kMaxLength << "] m, not " << depth;
-    throw std::invalid_argument(fault.str());
-  }
+  const int pair = impl_->require_pair(a, b);
+  require_length(depth, "depth");
   const double length = normal_W.norm();
   if (!(length > 0) || !std::isfinite(length)) {
     std::ostringstream fault;
@@ -111,6 +113,12 @@ void World::allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double 
   Eigen::Vector3d& shift_W = impl_->pairs[pair].shift_W;
   if (shift_W.isZero(0) != (depth == 0)) ++impl_->revision;
   shift_W = sign * depth / length * normal_W;
+}
+
+void World::keep_apart(int a, int b, double clearance) {
+  const int pair = impl_->require_pair(a, b);
+  require_length(clearance, "clearance");
+  impl_->pairs[pair].clearance = clearance;
 }
 
 int World::num_pairs() const { return static_cast<int>(impl_->pairs.size()); }
@@ -155,7 +163,8 @@ bool World::touches(int pair) { return impl_->touch(impl_->pairs[pair]); }
 bool World::swallows(int pair) const { return impl_->swallows(impl_->pairs[pair]); }
 
 double World::distance_bound(int pair, double enough) const {
-  return impl_->bound(impl_->pairs[pair], enough, false);
+  const Pair& tested = impl_->pairs[pair];
+  return std::max(0.0, impl_->bound(tested, enough + tested.clearance, false) - tested.clearance);
 }
 
 double World::proven_distance(int pair, double enough) const {

@@ -14,9 +14,10 @@ constexpr double kMargin = 1e-9;
 // Hulls hardly ever improve the bound of the boxes by this factor.
 constexpr double kFar = 2;
 
-bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W) {
+bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W,
+             double margin = kMargin) {
   const Eigen::Array3d gap = (b.middle + shift_W - a.middle).cwiseAbs() - a.half - b.half;
-  return (gap <= kMargin).all();
+  return (gap <= margin).all();
 }
 
 Eigen::Isometry3d relative(const Placement& at_a, const Placement& at_b,
@@ -42,6 +43,15 @@ int World::Impl::find(int a, int b) const {
     if (pairs[i].a == std::min(a, b) && pairs[i].b == std::max(a, b)) return static_cast<int>(i);
   }
   return -1;
+}
+
+int World::Impl::require_pair(int a, int b) const {
+  require_body(a, "a");
+  require_body(b, "b");
+  const int pair = find(a, b);
+  if (pair >= 0) return pair;
+  throw std::invalid_argument("bodies '" + bodies[a].name + "' and '" + bodies[b].name +
+                              "' are not tested");
 }
 
 void World::Impl::place(int body) {
@@ -87,19 +97,21 @@ bool World::Impl::fcl_touch(const CollisionShape& a, const Placement& at_a, cons
 }
 
 bool World::Impl::touch(const Pair& pair) {
-  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
+  const double margin = pair.clearance + kMargin;
+  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W, margin)) return false;
   return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
                               Witnesses& witnesses) {
     const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
     const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
-    if (!overlap(box_a, box_b, pair.shift_W)) return false;
-    if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > kMargin) return false;
+    if (!overlap(box_a, box_b, pair.shift_W, margin)) return false;
+    if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > margin) return false;
     if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
-    if (a.hulls->has_parts() || b.hulls->has_parts()) {  // otherwise FCL is as fast
+    const bool is_wide = pair.clearance > 0;                        // FCL knows no distances
+    if (is_wide || a.hulls->has_parts() || b.hulls->has_parts()) {  // otherwise FCL is as fast
       const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
-      if (are_apart(*a.hulls, *b.hulls, X_AB, kMargin, witnesses)) return false;
+      if (are_apart(*a.hulls, *b.hulls, X_AB, margin, witnesses)) return false;
     }
-    return fcl_touch(a, at_a, b, at_b, pair.shift_W);
+    return is_wide || fcl_touch(a, at_a, b, at_b, pair.shift_W);
   });
 }
 

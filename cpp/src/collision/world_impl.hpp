@@ -35,6 +35,7 @@ struct WorldBox {
 struct Pair {
   int a, b;
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
+  double clearance = 0;                      // [m]; no farther apart counts as touching
   mutable std::vector<Witnesses> witnesses;  // of each pair of shapes
 };
 
@@ -53,6 +54,7 @@ struct World::Impl {
 
   void require_body(int body, const char* what) const;
   int find(int a, int b) const;
+  int require_pair(int a, int b) const;  ///< throws std::invalid_argument if it is not tested
   void place(int body);
   /// Calls visit(shape a, placement a, shape b, placement b) until it returns true; returns true if
   /// it did.

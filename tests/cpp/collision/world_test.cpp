@@ -223,5 +223,58 @@ TEST(ContactAllowance, IsForOnePairOnly) {
   EXPECT_NEAR(world.distance_bound(0), 0.015, 1e-12);
 }
 
+TEST(Clearance, IsKeptUpToATenth) {
+  constexpr double kClearance = 0.01;
+  for (const auto& [name_a, a] : named_kinds()) {
+    for (const auto& [name_b, b] : named_kinds()) {
+      SCOPED_TRACE(name_a + " " + name_b);
+      World world = two_bodies(a, b);
+      world.keep_apart(1, 0, kClearance);
+      const auto at = [&](double gap) {  // all kinds reach 0.5 above and below their origin
+        world.set_pose(0, translation(1, 2, 3));
+        world.set_pose(1, translation(1, 2, 4 + gap));
+        EXPECT_TRUE(world.all_collisions().empty());
+        return world.collides();
+      };
+      EXPECT_TRUE(at(0.0001));
+      EXPECT_TRUE(at(kClearance - 1e-5));
+      EXPECT_FALSE(at(1.15 * kClearance));
+      EXPECT_LE(world.distance_bound(0), 0.15 * kClearance + 1e-12);
+      world.keep_apart(0, 1, 0);
+      EXPECT_FALSE(at(0.0001));
+    }
+  }
+}
+
+TEST(Clearance, CountsWhatTouchesAsTouching) {
+  std::mt19937 rng(8);
+  int touching = 0, near = 0;
+  for (const auto& [name_a, a] : named_kinds()) {
+    for (const auto& [name_b, b] : named_kinds()) {
+      World world = two_bodies(a, b), wide = two_bodies(a, b);
+      wide.keep_apart(0, 1, 0.05);
+      for (int i = 0; i < 60; ++i) {
+        const Isometry3d X_WA = random_pose(rng, 0.6), X_WB = random_pose(rng, 0.6);
+        const bool touches = touch(world, X_WA, X_WB);
+        wide.set_pose(0, X_WA);
+        wide.set_pose(1, X_WB);
+        const bool is_near = wide.collides();
+        EXPECT_TRUE(is_near || !touches) << name_a << " " << name_b;
+        touching += touches;
+        near += is_near;
+      }
+    }
+  }
+  EXPECT_GT(near, touching + 20);
+}
+
+TEST(Clearance, NamesBadArguments) {
+  World world = two_bodies(geometry::Sphere{1}, geometry::Sphere{1});
+  world.add_body("third", {{geometry::Sphere{1}}});
+  expect_refused([&] { world.keep_apart(0, 1, -1); }, "clearance");
+  expect_refused([&] { world.keep_apart(0, 2, 0.1); }, "'third' are not tested");
+  expect_refused([&] { world.keep_apart(0, 3, 0.1); }, "b must be");
+}
+
 }  // namespace
 }  // namespace graspless::collision

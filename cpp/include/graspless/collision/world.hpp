@@ -52,6 +52,11 @@ class GRASPLESS_API World {
   /// of 0 ends the allowance. Throws std::invalid_argument on a negative depth, a pair that is not
   /// tested, or a zero normal.
   void allow_contact(int a, int b, const Eigen::Vector3d& normal_W, double depth);
+  /// Demands more than touching: in this pair, the bodies count as touching unless they are proven
+  /// to be more than `clearance` [m] apart, by bounds that fall short of the distance by up to 10 %
+  /// (more for meshes). A clearance of 0 ends the demand. all_collisions() ignores it. Throws
+  /// std::invalid_argument on a negative clearance or a pair that is not tested.
+  void keep_apart(int a, int b, double clearance);
   int num_pairs() const;
   std::pair<int, int> pair(int index) const;  ///< the smaller body index first
   std::vector<std::pair<int, int>> pairs() const;
@@ -74,14 +79,14 @@ class GRASPLESS_API World {
   const std::vector<double>& distance_bounds();
 
   /// Same as collides() and distance_bounds(), for one pair. A bound of at least `enough` [m] is
-  /// not improved further.
+  /// not improved further. The clearance of the pair is taken off it.
   bool touches(int pair);
   /// True if a body of a pair that does not touch lies within a closed mesh of the other.
   /// collides() and its like count this as touching, touches() does not.
   bool swallows(int pair) const;
   double distance_bound(int pair, double enough = std::numeric_limits<double>::infinity()) const;
-  /// Same as distance_bound(), but slower and closer to the distance: from the convex hulls of all
-  /// shapes, not of meshes alone.
+  /// A bound on the distance itself, slower and closer to it than distance_bound(): from the convex
+  /// hulls of all shapes, not of meshes alone.
   double proven_distance(int pair, double enough) const;
 
   /// Number of configurations tested so far by collides() and first_collision().
