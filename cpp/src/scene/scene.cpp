@@ -8,6 +8,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "scene/motion.hpp"
+
 namespace graspless::scene {
 namespace {
 
@@ -130,6 +132,31 @@ void Scene::detach(int body) {
   for (const auto& [a, b] : found->suspended) world_.add_pair(a, b);
   attachments_.erase(found);
   motion_revision_ = -1;
+}
+
+void Scene::keep_links_apart(double clearance, const std::vector<int>& joints,
+                             const std::vector<Eigen::VectorXd>& given) {
+  std::vector<int> link_of(static_cast<std::size_t>(world_.num_bodies()), -1);
+  for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
+    if (link_body_[link] >= 0) link_of[link_body_[link]] = link;
+  }
+  std::vector<int> kept;
+  for (int i = 0; i < world_.num_pairs(); ++i) {
+    const auto [a, b] = world_.pair(i);
+    if (link_of[a] < 0 || link_of[b] < 0) continue;
+    const Eigen::VectorXd reach =
+        relative_reach(robot_, Carrier{link_of[a], {}}, Carrier{link_of[b], {}}, false);
+    const bool moves = (reach(joints).array() > 0).any();
+    world_.keep_apart(a, b, moves ? clearance : 0);
+    if (moves) kept.push_back(i);
+  }
+  for (const Eigen::VectorXd& q : given) {
+    place(q);
+    for (const int i : kept) {
+      const auto [a, b] = world_.pair(i);
+      if (world_.touches(i)) world_.keep_apart(a, b, 0);
+    }
+  }
 }
 
 void Scene::place(const robot::Poses& X_WL) {

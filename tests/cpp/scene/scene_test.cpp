@@ -280,5 +280,81 @@ TEST(SceneMotion, FollowsChangesOfTheWorld) {
   EXPECT_TRUE(scene.is_free(q1, q2));
 }
 
+/// True if no pair that the arm's joints move would touch after a shift by `distance` in the plane,
+/// which is where all links of the planar arm are nearest to each other.
+bool is_arm_clear(Scene& plain, const VectorXd& q, double distance) {
+  plain.collision(q);
+  collision::World world = plain.world();
+  for (const auto& [a, b] : plain.world().pairs()) {
+    if (Names(world.name(a), world.name(b)) == Names("left", "right")) continue;
+    const Isometry3d X_WB = world.pose(b);
+    for (int i = 0; i < 24; ++i) {
+      const double angle = 2 * M_PI * i / 24;
+      world.set_pose(b,
+                     translation(distance * std::cos(angle), distance * std::sin(angle), 0) * X_WB);
+      const auto touching = world.all_collisions();
+      if (std::count(touching.begin(), touching.end(), std::make_pair(a, b)) > 0) return false;
+    }
+    world.set_pose(b, X_WB);
+  }
+  return true;
+}
+
+TEST(LinkClearance, IsKeptWhereTheJointsMoveLinks) {
+  constexpr double kClearance = 0.03, kRounding = 0.03;  // by 24 directions, and more
+  const Robot robot = planar_arm();
+  Scene scene(robot), plain(robot);
+  scene.keep_links_apart(kClearance, {0, 1}, {vector({0.3, 0.4, 0.05})});
+  std::mt19937 rng(4);
+  int near = 0, clear = 0;
+  for (int i = 0; i < 300; ++i) {
+    VectorXd q = random_q(robot, rng);
+    if (i % 10 > 0) q[1] = std::uniform_real_distribution<double>(2.6, 3)(rng);
+    if (!plain.is_free(q)) continue;
+    const bool is_free = scene.is_free(q);
+    if (is_free) {
+      EXPECT_TRUE(is_arm_clear(plain, q, (1 - kRounding) * kClearance)) << q.transpose();
+    } else {
+      EXPECT_FALSE(is_arm_clear(plain, q, 1.15 * kClearance)) << q.transpose();
+    }
+    (is_free ? clear : near) += 1;
+  }
+  EXPECT_GT(near, 10);
+  EXPECT_GT(clear, 10);
+  EXPECT_TRUE(scene.is_free(vector({0, 0, -0.005})));  // the jaws are 10 mm apart
+}
+
+TEST(LinkClearance, IsKeptAlongMotions) {
+  const Robot robot = planar_arm();
+  Scene scene(robot);
+  scene.keep_links_apart(0.03, {0, 1}, {});
+  std::mt19937 rng(5);
+  int refused = 0;
+  for (int i = 0; i < 400; ++i) {
+    const VectorXd q1 = random_q(robot, rng), q2 = random_q(robot, rng);
+    const int steps = std::max(1, static_cast<int>(std::ceil(robot.step(q1, q2) / 0.01)));
+    bool is_free = true;
+    for (int k = 0; is_free && k <= steps; ++k) is_free = scene.is_free(q1 + (q2 - q1) * k / steps);
+    EXPECT_EQ(scene.is_free(q1, q2), is_free);
+    refused += !is_free;
+  }
+  EXPECT_GT(refused, 20);
+  EXPECT_LT(refused, 380);
+}
+
+TEST(LinkClearance, IsNotAskedOfPairsThatAreGivenNearer) {
+  const Robot robot = planar_arm();
+  Scene scene(robot), plain(robot);
+  VectorXd q = vector({0, 2.6, 0.05});
+  while (is_arm_clear(plain, q, 0.01)) q[1] += 1e-3;
+  ASSERT_TRUE(plain.is_free(q));
+  scene.keep_links_apart(0.03, {0, 1}, {vector({0, 0, 0.05})});
+  EXPECT_FALSE(scene.is_free(q));
+  scene.keep_links_apart(0.03, {0, 1}, {vector({0, 0, 0.05}), q});
+  EXPECT_TRUE(scene.is_free(q));
+  scene.keep_links_apart(0.03, {0, 1}, {});
+  EXPECT_FALSE(scene.is_free(q));
+}
+
 }  // namespace
 }  // namespace graspless::scene

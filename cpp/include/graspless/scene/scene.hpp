@@ -44,6 +44,12 @@ class GRASPLESS_API Scene {
   void attach(int body, int link, const Eigen::Isometry3d& X_LO, const std::vector<int>& touching);
   void detach(int body);
 
+  /// Lets links that `joints` move relative to each other count as touching unless they are proven
+  /// to be more than `clearance` [m] apart. Pairs that are not that far apart in one of the
+  /// configurations `given` need only not touch. Replaces the demand of an earlier call.
+  void keep_links_apart(double clearance, const std::vector<int>& joints,
+                        const std::vector<Eigen::VectorXd>& given);
+
   /// Index in the world of a link's body; -1 for a link without shapes.
   int link_body(int link) const { return link_body_[link]; }
 
