@@ -10,6 +10,13 @@
 
 namespace graspless::slide {
 
+/// Distance that plans keep between links that the arm moves relative to each other [m]. A
+/// controller holds the joints to some milliradians, and nothing must touch then. What stands
+/// around the robot can be padded in the problem; the robot's own links cannot.
+inline constexpr double kLinkClearance = 2e-3;
+/// The same for motions that a follower shifts off a plan, which may use up the rest [m].
+inline constexpr double kShiftedClearance = 5e-4;
+
 /// The joints that the search moves: those of the hand's arm. All others stay at q_home, with the
 /// hand open.
 class GRASPLESS_API Arm {

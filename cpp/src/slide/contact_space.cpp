@@ -34,7 +34,14 @@ scene::Scene make_scene(const Problem& problem) {
     scene.world().add_pair(object, body);
   }
   scene.move_object(object, problem.X_WO_start);
+  const Arm arm(problem);
+  keep_links_apart(scene, problem, {problem.q_home, arm.open()});
   return scene;
+}
+
+void keep_links_apart(scene::Scene& scene, const Problem& problem,
+                      const std::vector<Eigen::VectorXd>& given) {
+  scene.keep_links_apart(kLinkClearance, problem.robot.group(problem.hand.arm), given);
 }
 
 ContactSpace::ContactSpace(const Problem& problem, const Options& options, const Arm& arm)

@@ -19,8 +19,13 @@ constexpr const char* kObjectBody = "object";
 constexpr const char* kSupportBody = "support";
 
 /// Makes a scene of the robot, the support, the obstacles, and the object as a movable body, in
-/// which nothing may touch.
+/// which nothing may touch, and links keep kLinkClearance.
 scene::Scene make_scene(const Problem& problem);
+
+/// Lets the links keep kLinkClearance, except pairs that are nearer in one of the configurations
+/// `given`, from which the motion has to begin.
+void keep_links_apart(scene::Scene& scene, const Problem& problem,
+                      const std::vector<Eigen::VectorXd>& given);
 
 /// The arm while its fingertip presses on the object: the relaxed constraint of Section IV-C.3.
 ///

@@ -119,6 +119,12 @@ std::nullopt_t refuse_invalid(Query& query, const VectorXd& start, Plan& plan) {
   return refuse(plan, Status::contact_lost, "the hand is not in the attitude in which it presses");
 }
 
+/// Lets the motion begin at q, where links may be nearer to each other than plans let them come.
+void admit_links(Query& query, const VectorXd& q) {
+  for (scene::Scene* scene : {&query.contact.scene(), &query.free})
+    keep_links_apart(*scene, query.problem, {q});
+}
+
 }  // namespace
 
 void validate(const Problem& problem, const Interruption& at) {
@@ -157,6 +163,7 @@ std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at,
   const Eigen::Vector2d p_OC = query.object_start.inverse() * carried.tip_start.translation();
   const std::string beside = why_beside(query, p_OC);
   if (!beside.empty()) return refuse(plan, Status::contact_lost, beside);
+  admit_links(query, query.arm.full(start));
   if (!query.contact.is_valid(start, carried)) return refuse_invalid(query, start, plan);
   return start;
 }
@@ -191,6 +198,7 @@ std::optional<Retreat> find_retreat(Query& query, const Interruption& at, Plan& 
   const Eigen::Vector2d p_OC =
       query.object_start.inverse() * query.contact.effective_tip_at(start).translation();
   const bool presses = depth > 0 && object.outline().depth(p_OC) >= 0;
+  admit_links(query, query.arm.full(start));
   Motions motions(query);
   const auto path = presses ? motions.lift_from(start, query.object_start)
                             : motions.rise_from(start, query.object_start);

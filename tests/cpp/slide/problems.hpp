@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graspless/geometry/point_cloud.hpp"
+#include "graspless/scene/scene.hpp"
 #include "graspless/slide/slide.hpp"
 
 #include "geometry/polygons.hpp"
@@ -90,6 +91,25 @@ inline planning::Budget seeded(std::uint64_t seed, double seconds = 20) {
   budget.seed = seed;
   budget.seconds = seconds;
   return budget;
+}
+
+/// True if nothing of the robot touches at q and all links that its arm moves relative to each
+/// other are more than `clearance` [m] apart.
+inline bool are_links_apart(const robot::Robot& robot, const Eigen::VectorXd& q, double clearance) {
+  scene::Scene scene(robot);
+  scene.keep_links_apart(clearance, robot.group("arm"), {});
+  return scene.is_free(q);
+}
+
+/// Bends the wrist of the WAM at home until the base of the hand is `apart` [m] from the forearm.
+inline Eigen::VectorXd bent_home(double apart) {
+  Eigen::VectorXd q = wam().state("home");
+  const std::vector<int> arm = wam().group("arm");
+  q[arm[4]] = -1.536;
+  q[arm[5]] = 1.5;
+  q[arm[6]] = 0.84;
+  while (are_links_apart(wam(), q, apart)) q[arm[5]] += 1e-4;
+  return q;
 }
 
 }  // namespace graspless::slide

@@ -440,5 +440,43 @@ TEST(Resume, CheckFindsWhatWasEdited) {
                   "contact"));
 }
 
+/// Configurations that press where a plan does at `row`, with links as near as plans never bring
+/// them.
+std::vector<Eigen::VectorXd> near_configurations(const Problem& problem, const Plan& plan,
+                                                 std::size_t row) {
+  const int F = problem.robot.frame(problem.hand.fingertip);
+  const robot::Ik ik(problem.robot, F, problem.robot.group(problem.hand.arm), {});
+  const Eigen::VectorXd& q = slide_of(plan).positions.at(row);
+  const Eigen::Isometry3d X_WF = problem.robot.pose(F, q);
+  const int joint = *ik.free_joint();
+  std::vector<Eigen::VectorXd> near, solutions;
+  for (double value = problem.robot.lower()[joint]; value < problem.robot.upper()[joint];
+       value += 5e-4) {
+    solutions.clear();
+    ik.solve_free(X_WF, value, q, solutions);
+    for (const Eigen::VectorXd& solution : solutions) {
+      const bool is_near = !are_links_apart(problem.robot, solution, 1.5e-3);
+      if (is_near && are_links_apart(problem.robot, solution, 1e-4)) near.push_back(solution);
+    }
+  }
+  return near;
+}
+
+TEST(Resume, GoesOnWhereLinksAreNear) {
+  const Problem problem = simple_problem();
+  const std::size_t row = slide_of(whole()).positions.size() / 2;
+  int found = 0, solved = 0, lifted = 0;
+  for (const Eigen::VectorXd& q : near_configurations(problem, whole(), row)) {
+    const Interruption at{q, slide_of(whole()).object_poses.at(row), std::nullopt};
+    ++found;
+    solved += static_cast<bool>(resume(problem, at, {}, seeded(1)));
+    lifted += static_cast<bool>(restart(problem, at, {}, seeded(1)));
+    if (found == 6) break;
+  }
+  ASSERT_GT(found, 0);
+  EXPECT_GT(solved, 0);
+  EXPECT_GT(lifted, 0);
+}
+
 }  // namespace
 }  // namespace graspless::slide

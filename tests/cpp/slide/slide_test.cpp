@@ -59,6 +59,27 @@ TEST(Plan, HoldsInThePapersOwnTerms) {
   }
 }
 
+TEST(Plan, KeepsLinksApart) {
+  std::mt19937_64 rng(3);
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Support& table = tables()[seed % tables().size()];
+    const Object& object = objects()[seed % objects().size()];
+    const Plan found =
+        plan(make_problem(table, object, random_pose(table, object, rng)), {}, seeded(seed));
+    ASSERT_TRUE(found) << "seed " << seed << ": " << found.reason;
+    for (const Segment& segment : found.segments) {
+      for (const Eigen::VectorXd& q : segment.positions)
+        EXPECT_TRUE(are_links_apart(wam(), q, 0.0019)) << "seed " << seed << ", " << segment.name;
+    }
+  }
+}
+
+TEST(Plan, BeginsWhereLinksAreNear) {
+  Problem problem = simple_problem();
+  problem.q_home = bent_home(5e-4);
+  expect_holds(problem, {}, 1);
+}
+
 TEST(Plan, PressesFarEnoughFromTheRim) {
   std::mt19937_64 rng(5);
   int near = 0;

@@ -40,6 +40,7 @@ TEST(Surroundings, AgreesWithASceneOnRandomConfigurations) {
   problem.obstacles.push_back(
       {"wall", {geometry::PlacedShape{geometry::Box{{0.1, 0.6, 0.4}}}}, flat(0.4, 0.6, 0.3)});
   scene::Scene scene(problem.robot);
+  scene.keep_links_apart(5e-4, problem.robot.group(problem.hand.arm), {});
   scene.add_obstacle("support", problem.support.solid(), problem.support.X_WS());
   scene.add_obstacle("wall", problem.obstacles[0].shapes, problem.obstacles[0].X_WB);
   Surroundings around(problem);
@@ -114,6 +115,20 @@ TEST(Surroundings, NamesBadArguments) {
   bad.translation().x() = nan;
   expect_refused([&] { around.touching("slide", problem.q_home, bad); }, "X_WO");
   expect_refused([&] { around.touching("slide", problem.q_home, X, nan); }, "rise");
+}
+
+TEST(Surroundings, KeepsLinksApart) {
+  const Problem problem = simple_problem();
+  Surroundings around(problem);
+  const auto touching = [&](double apart) {
+    return around.touching("reach", bent_home(apart), problem.X_WO_start);
+  };
+  EXPECT_TRUE(touching(0.0007).empty());
+  ASSERT_EQ(touching(0.0003).size(), 1U);
+  EXPECT_NE(touching(0.0003)[0].find("hand_base"), std::string::npos);
+  Problem bent = problem;
+  bent.q_home = bent_home(0.0003);
+  EXPECT_TRUE(Surroundings(bent).touching("reach", bent.q_home, problem.X_WO_start).empty());
 }
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/scene/scene.hpp"
 #include "graspless/slide/resume.hpp"
 
+#include "slide/arm.hpp"
 #include "slide/check/examination.hpp"
 
 namespace graspless::slide {
@@ -19,6 +21,14 @@ void require_segment(const std::string& name) {
   std::string choices;
   for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
   throw std::invalid_argument("segment '" + name + "' is none of " + choices);
+}
+
+/// The robot alone, whose links keep a distance where the arm moves them.
+scene::Scene links_apart(const Problem& problem) {
+  const Arm arm(problem);
+  scene::Scene links(problem.robot);
+  links.keep_links_apart(kShiftedClearance, arm.joints(), {problem.q_home, arm.open()});
+  return links;
 }
 
 /// Ends all tests between robot and object.
@@ -34,13 +44,15 @@ struct Surroundings::State {
   State(const Problem& given, const Options& options)
       : problem(given),
         free(problem, allowed_depths(problem.hand, options).max),
-        pressed(free.with(Contacts::press)) {
+        pressed(free.with(Contacts::press)),
+        links(links_apart(problem)) {
     ignore_object(free);
     ignore_object(pressed);
   }
 
   const Problem problem;
   Replay free, pressed;
+  scene::Scene links;
 };
 
 Surroundings::Surroundings(const Problem& problem, const Options& options) {
@@ -61,7 +73,11 @@ std::vector<std::string> Surroundings::touching(const std::string& segment,
   if (!std::isfinite(rise)) throw std::invalid_argument("rise must be finite");
   Replay& world = contacts_of(segment) == Contacts::press ? state_->pressed : state_->free;
   world.raise_support(rise);
-  return world.touching(q, X_WO);
+  std::vector<std::string> found = world.touching(q, X_WO);
+  if (!found.empty()) return found;
+  const auto [a, b] = state_->links.collision(q);
+  if (!a.empty()) found.push_back(a + " - " + b);
+  return found;
 }
 
 }  // namespace graspless::slide
