@@ -152,3 +152,17 @@ def test_other_plans_are_not_followed():
         graspless.simulate(plan, closed_loop=True)
     with pytest.raises(TaskError, match="condition: fingertip plans have none"):
         graspless.simulate(plan, condition="kick")
+
+
+def test_a_hand_that_begins_anew_after_the_lift_slides_again(plan):
+    execution = FollowedExecution(plan, Variation(), Slide(), [5])
+    model = execution.scene.model
+    contacts = ("geom_contype", "geom_conaffinity", "pair_margin")
+    slides = [getattr(model, name).copy() for name in contacts]
+    execution._end_of("lift", "reach")
+    grasps = [getattr(model, name).copy() for name in contacts]
+    assert not np.array_equal(slides[0], grasps[0])
+    assert not np.array_equal(slides[2], grasps[2])
+    execution._end_of("reach", "retreat")
+    for name, before in zip(contacts, slides, strict=True):
+        np.testing.assert_array_equal(getattr(model, name), before)

@@ -21,7 +21,7 @@ from .fingers import PAD, SLIDING, wrist_stiffness
 from .judge import FAILURES, Judge
 from .kick import Kick
 from .program import HOLD, RAISE, SQUEEZE, make_program
-from .scene import FINGER_GRASPS, Body, Scene, build_scene
+from .scene import FINGER_GRASPS, FINGER_SLIDES, Body, Scene, build_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Generator, Iterator, Sequence
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from ...frames import Matrix
     from ...slide import Plan
     from ..variation import Variation
+    from .fingers import Bits
     from .program import Command, Controller
 
 MEASURES = {
@@ -48,6 +49,7 @@ SPREAD = SLIDE_SPREAD
 _LOOK = 0.01  # between observations of the judge [s]
 _RECORD = 50.0  # moments a second
 _NEVER = -1.0  # a contact margin that disables contact [m]
+_ALWAYS = 0.0  # MuJoCo's default margin [m]
 
 
 FOLLOWED_FAILURES = {"stopped": "the follower of the plan gave up"}
@@ -267,14 +269,21 @@ class Execution:
 
     def _let_finger_grasp(self) -> None:
         """Lets the sliding finger touch with its own shapes from now on, as in the plan."""
+        self._set_finger(FINGER_GRASPS, _NEVER)
+
+    def _let_finger_slide(self) -> None:
+        """Lets the sliding finger touch the object with its pad alone again."""
+        self._set_finger(FINGER_SLIDES, _ALWAYS)
+
+    def _set_finger(self, bits: Bits, pad_margin: float) -> None:
         model, groups = self.scene.model, self.scene.groups
-        model.geom_contype[groups[SLIDING]] = FINGER_GRASPS.contype
-        model.geom_conaffinity[groups[SLIDING]] = FINGER_GRASPS.conaffinity
+        model.geom_contype[groups[SLIDING]] = bits.contype
+        model.geom_conaffinity[groups[SLIDING]] = bits.conaffinity
         body = model.body(SLIDING).id
-        model.body_contype[body] |= FINGER_GRASPS.contype
-        model.body_conaffinity[body] |= FINGER_GRASPS.conaffinity
+        model.body_contype[body] |= bits.contype
+        model.body_conaffinity[body] |= bits.conaffinity
         of_pad = np.isin(model.pair_geom1, groups[PAD]) | np.isin(model.pair_geom2, groups[PAD])
-        model.pair_margin[of_pad] = _NEVER
+        model.pair_margin[of_pad] = pad_margin
 
     def _in_hand(self) -> Matrix:
         body = self.data.body(self.plan.task.problem.hand.grasp_frame)

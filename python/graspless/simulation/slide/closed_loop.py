@@ -194,3 +194,4 @@ class FollowedExecution(Execution):
         super()._end_of(phase, following)
         if following == RETREAT:
             self.judge.withdraw("tip_lost")
+            self._let_finger_slide()

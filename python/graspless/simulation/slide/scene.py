@@ -256,4 +256,4 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
     return groups
 
 
-__all__ = ["FINGER_GRASPS", "Body", "Scene", "build_scene"]
+__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Body", "Scene", "build_scene"]
