@@ -42,6 +42,7 @@ def follow(plan, variation, seed, *, record=False):
     """In closed loop a kick alone is a failure, and the errors are half as large."""
     failures = ("stopped",) if variation.kick_yaw else ()
     measures = {"position_error": 0.001, "angle_error": 0.01, "resumes": 2.0, "restarts": 1.0}
+    measures |= {"resume_seconds": 0.002 if variation.kick_yaw else 0.02, "anew_seconds": 0.005}
     return Trial(variation, failures, measures, seconds=0.5)
 
 
@@ -74,7 +75,9 @@ def engine(monkeypatch):
     kind = types.SimpleNamespace(
         FAILURES=FAILURES, MEASURES=measures, run=run_trial, follow=follow, draw=conditions.draw,
         CONDITIONS=conditions.CONDITIONS, FOLLOWED_FAILURES={"stopped": "given up"},
-        FOLLOWED_MEASURES={"resumes": "plans", "restarts": "plans"},
+        FOLLOWED_MEASURES=dict.fromkeys(
+            ["resumes", "restarts", "resume_seconds", "anew_seconds"], "plans"
+        ),
     )  # fmt: skip
     monkeypatch.setattr(simulation, "simulation_kind", lambda _: kind)
     monkeypatch.setattr(report, "simulation_kind", lambda _: kind)
@@ -369,6 +372,12 @@ def test_the_command_and_its_page(flags, part, engine, tmp_path, capsys):
     if part == "slide_closed_loop":
         assert "| kick, closed | 2 | 0 | 1 | 1 | 1 |" in page
         assert "stopped 2" in page
+        assert "| rest of the slide planned | 14 | 20 | 20 | 20 |" in page
+        assert (
+            "| rest of the slide planned within 10 ms | closed | 14.2 % | 2/14 | 99 % | – | missed |"
+            in page
+        )
+        assert "| whole plan made anew | 14 | 5 | 5 | 5 |" in page
     elif part == "clasp_locked":
         assert "| certificate, upper bound | 1 |" in page
         assert "| random moves, margin | 0 |" in page

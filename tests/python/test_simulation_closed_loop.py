@@ -98,7 +98,9 @@ def test_a_start_elsewhere_matters_in_open_loop_alone(plan):
     assert closed.variation == opened.variation
     assert closed.measures["position_error"] < 0.004
     assert closed.measures["angle_error"] < np.radians(2.5)
-    assert set(closed.measures) == set(MEASURES) | set(FOLLOWED_MEASURES)
+    searched = set(closed.measures) & {"resume_seconds", "anew_seconds"}
+    assert searched  # a kind of search that was not needed has no time
+    assert set(closed.measures) | {"resume_seconds"} == set(MEASURES) | set(FOLLOWED_MEASURES)
 
 
 @pytest.mark.slow

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 NOMINAL, VARIED, DISTURBED, PROVEN = "nominal", "varied", "disturbed", "proven"
 BROKEN = "broken"
 DEGREE = math.pi / 180
+SEARCHES = {"resume": "rest of the slide planned", "anew": "whole plan made anew"}
 
 
 @dataclass(frozen=True)
@@ -33,8 +34,8 @@ class Claim:
     what : str
         Description.
     of : str
-        NOMINAL or VARIED trials, a condition and a loop ("kick, closed"), DISTURBED plans, or the
-        PROVEN best plan of a search, or BROKEN plans.
+        NOMINAL or VARIED trials, a condition and a loop ("kick, closed"), a loop in all conditions
+        ("closed"), DISTURBED plans, or the PROVEN best plan of a search, or BROKEN plans.
     holds : function
         Returns True if a trial fulfils it, by its failures and measures, or its disturbance. None:
         it does not apply.
@@ -67,7 +68,8 @@ def cases(rows: list[Row], of: str) -> Iterator[Row]:
             yield from found if isinstance(found, list) else [found]
             continue
         for k, failures in enumerate(row["failures"]):
-            if (row["of"][k] if "of" in row else VARIED if k else NOMINAL) == of:
+            label = row["of"][k] if "of" in row else VARIED if k else NOMINAL
+            if label == of or label.endswith(f", {of}"):
                 figures = {name: values[k] for name, values in row["measures"].items()}
                 known = {"failures": failures, "seconds": row["seconds"][k]}
                 yield known | {"tube": row.get("tube")} | figures  # older files have no tube
@@ -175,6 +177,19 @@ def _within(
     return Claim(f"within {position:g} mm and {angle:g} deg", of, _at_most(limits), must, goal)
 
 
+def _replanned() -> list[Claim]:
+    """Returns the claims on the longest search of each trial in closed loop."""
+
+    def within(name: str, most: float) -> Callable[[Row], bool | None]:
+        return lambda case: None if case.get(name) is None else bool(case[name] <= most)
+
+    return [
+        Claim(f"{what} within {ms:g} ms", CLOSED, within(f"{kind}_seconds", ms / 1000), must, goal)
+        for kind, what in SEARCHES.items()
+        for ms, must, goal in ((10, 0.99, None), (3, None, 0.99))
+    ]
+
+
 def is_proven(case: Row) -> bool:
     """Returns True if all trials of a proof held."""
     return bool(case["held"] == case["asked"])
@@ -222,7 +237,8 @@ CLAIMS: dict[str, list[Claim]] = {
         Claim("lifted", VARIED, _LIFTED),
     ],
     "slide_closed_loop": [
-        claim for condition in CONDITIONS for claim in _in_closed_loop(condition)
+        *(claim for condition in CONDITIONS for claim in _in_closed_loop(condition)),
+        *_replanned(),
     ],
     "fingertip": [
         _vertices(NOMINAL, 1, 0.95, None),

@@ -106,7 +106,7 @@ def write_page(directory: Path) -> None:
 def _tables(result: Row) -> dict[str, tables.Table]:
     asked = {"requirement": tables.claims(result)}
     if result["part"].endswith("_closed_loop"):
-        return asked | {"condition": tables.conditions(result)}
+        return asked | {"condition": tables.conditions(result), "new plan": tables.replans(result)}
     if result["part"].endswith("_locked"):
         cases = [c for of in (locked.CLOSED, locked.OPENED) for c in all_cases(result["rows"], of)]
         return asked | {"score": locked.scores(cases), "certificate": locked.intervals(cases)}
@@ -130,7 +130,7 @@ def _fields(result: Row) -> dict[str, str]:
     names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
     shown = {"disturbance": "disturbances", "condition": "conditions", "search": "proofs"}
     shown |= {"mutant": "mutants", "score": "scores", "certificate": "certificates"} | names
-    shown |= {"broke / promised": "promises"}
+    shown |= {"broke / promised": "promises", "new plan": "replans"}
     fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
     return (
         dict.fromkeys(shown.values(), "")

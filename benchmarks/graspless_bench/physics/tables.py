@@ -18,12 +18,14 @@ from .claims import (
     DISTURBED,
     NOMINAL,
     PROVEN,
+    SEARCHES,
     VARIED,
     cases,
     is_proven,
     used_of_tube,
 )
 from .mutants import mutants
+from .work import CLOSED
 
 if TYPE_CHECKING:
     from ..machine import Row
@@ -37,6 +39,7 @@ KNOWN = ("solved", *LOST)
 MEANING = "meaning"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 EDGES = (0, 0.5, 0.7, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, math.inf)  # of broke / promised
+SLOW = {"median": 0.5, "99 %": 0.99, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
     "ratio": "smallest disturbance that breaks the motion / z",
@@ -143,6 +146,17 @@ def conditions(result: Row) -> Table:
             row[measure] = {q: _quantile(known, f, UNITS[unit][0]) for q, f in SHOWN.items()}
         rows.append(row)
     return rows, CONDITION_COLUMNS
+
+
+def replans(result: Row) -> Table:
+    """Returns the processor times of the longest searches of the trials in closed loop."""
+    closed = list(cases(result["rows"], CLOSED))
+    rows = []
+    for kind, what in SEARCHES.items():
+        known = [c[f"{kind}_seconds"] for c in closed if c.get(f"{kind}_seconds") is not None]
+        row: Row = {"name": what, "count": len(known)}
+        rows.append(row | {q: _quantile(known, f, 1e3) for q, f in SLOW.items()})
+    return rows, REPLAN_COLUMNS
 
 
 def proofs(result: Row) -> Table:
@@ -342,6 +356,12 @@ CONDITION_COLUMNS: list[Column] = [
     *(_error("angle_error", quantile, "deg") for quantile in SHOWN),
     ("new plans", lambda r: str(r["plans"])),
     ("failures", lambda r: r["failures"] or "–"),
+]
+
+
+REPLAN_COLUMNS: list[Column] = [
+    ("trials", lambda r: str(r["count"])),
+    *((f"{quantile} [ms]", lambda r, q=quantile: _figure(r[q])) for quantile in SLOW),
 ]
 
 

@@ -84,6 +84,7 @@ class Follower:
         self._hand = Hand(problem)
         self._guard = Guard(found, self._hand)
         self._replanner = Replanner(found, self._hand, self._guard, self.settings)
+        self.search_seconds = self._replanner.seconds
         self._watch = Watch(problem.robot, self._hand.arm, self.settings)
         self.plan: Plan = found
         self.resumes = self.restarts = 0

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,11 +22,21 @@ if TYPE_CHECKING:
 
 
 class Replanner:
-    """Plans the same task again, with the object where it is."""
+    """Plans the same task again, with the object where it is.
+
+    Attributes
+    ----------
+    is_searching : bool
+        True if a search has not ended yet.
+    seconds : dict of str to list of float
+        Processor times of the searches so far, for the rest of a slide ("resume") and for a whole
+        plan ("anew") [s].
+    """
 
     def __init__(self, plan: Plan, hand: Hand, guard: Guard, settings: Settings) -> None:
         self._task = plan.task
         self._hand, self._guard, self._settings = hand, guard, settings
+        self.seconds: dict[str, list[float]] = {"resume": [], "anew": []}
         self.forget()
 
     def forget(self) -> None:
@@ -40,7 +51,7 @@ class Replanner:
         def search(budget: planning.Budget) -> Plan:
             return slide.plan(problem, options, budget)
 
-        return self._searched(search, self._tries, self._settings.plan_seconds)
+        return self._searched("anew", search, self._tries, self._settings.plan_seconds)
 
     def resume(self, plan: Plan, q: Matrix, place: Matrix) -> tuple[Plan | None, str]:
         """Plans the rest of a slide from q [dof], pressed, with the object at a place [3]."""
@@ -56,10 +67,11 @@ class Replanner:
                 budget=budget,
             )
 
-        return self._searched(search, self._tries // 4, self._settings.resume_seconds)
+        most = self._settings.resume_seconds
+        return self._searched("resume", search, self._tries // 4, most)
 
     def _searched(
-        self, search: Callable[[planning.Budget], Plan], doublings: int, most: float
+        self, kind: str, search: Callable[[planning.Budget], Plan], doublings: int, most: float
     ) -> tuple[Plan | None, str]:
         """Searches once. Returns the plan, or None and the reason.
 
@@ -68,7 +80,9 @@ class Replanner:
         """
         seconds = min(self._settings.search_seconds * 2**doublings, most - self._spent)
         budget = planning.Budget(seconds=seconds, seed=self._task.seed + self._tries)
+        began = time.thread_time()
         plan = search(budget)
+        self.seconds[kind].append(time.thread_time() - began)
         self._tries += 1
         self._spent += seconds
         self.is_searching = not plan and plan.statistics.seconds >= seconds and self._spent < most

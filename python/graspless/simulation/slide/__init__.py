@@ -57,6 +57,8 @@ FOLLOWED_MEASURES = {
     "resumes": "number of new plans during the slide without lifting off",
     "restarts": "number of times that the hand was lifted off to begin anew",
     "update": "longest processor time of an update of the follower [s]",
+    "resume_seconds": "longest processor time of a search for the rest of a slide [s]",
+    "anew_seconds": "longest processor time of a search for a whole new plan [s]",
 }
 
 

@@ -186,6 +186,9 @@ class FollowedExecution(Execution):
             "restarts": float(follower.restarts),
             "update": max(self.followed.seconds, default=0.0),
         }
+        for kind, seconds in follower.search_seconds.items():
+            if seconds:
+                self.measures[f"{kind}_seconds"] = max(seconds)
         target = self.followed.target
         if target is not None and target.status == "stopped":
             self.judge.note("stopped")
