@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "graspless/robot/ik.hpp"
+
 #include "complaint.hpp"
 #include "paths.hpp"
 #include "slide/contact.hpp"
