@@ -265,7 +265,11 @@ def test_bad_heights_are_named(change, words):
 
 def test_a_tray_is_slid_with_the_finger_in_it():
     picked = graspless.pick(
-        seen(box_cup(side=0.16, height=0.03, bottom=0.006)), "object_0", "wam_t42", strategies=["slide"], mass=0.1
+        seen(box_cup(side=0.16, height=0.03, bottom=0.006)),
+        "object_0",
+        "wam_t42",
+        strategies=["slide"],
+        mass=0.1,
     )
     assert picked, picked.reason
     assert graspless.check(picked.plan) == []

@@ -84,7 +84,6 @@ def ways_of(strategy: str, wish: Wish) -> list[Way]:
     return [way if is_flat else replace(way, cell=COARSE) for way in WAYS[strategy]]
 
 
-
 def chain_of(
     strategy: str, wish: Wish, seed: int, seconds: float, way: Way | None = None
 ) -> dict[str, Any]:
