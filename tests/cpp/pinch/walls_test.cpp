@@ -295,11 +295,5 @@ TEST(RimPinch, IsTheSameEveryTime) {
     EXPECT_EQ(a.segments[i].positions, b.segments[i].positions);
 }
 
-TEST(RimPinch, SlidesTakeNoHeights) {
-  const Cup flat{0.06, 0.006, 0.01, 0.004, 0};
-  const Problem problem = with_cup(flat);
-  EXPECT_THROW(slide::plan(problem), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace graspless::pinch
