@@ -188,7 +188,7 @@ def test_the_share_of_the_side_that_is_unseen(scene, names):
     assert unseen_share(_with_points(wish, one)) > 0.9
 
 
-def test_a_hollow_object_is_not_slid(scene, names):
+def test_the_share_of_a_hollow_object_that_is_as_high_as_its_top(scene, names):
     wish = wish_of(scene, "scene", names["card"], "wam_t42", lift=0.1, respect="objects", mass=None)
     assert top_share(wish) > 0.95
     ring = np.asarray(wish.thing.outline)

@@ -11,7 +11,6 @@
 
 #include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/vector_states.hpp"
-#include "graspless/watch.hpp"
 
 namespace graspless::slide {
 
@@ -21,7 +20,6 @@ using planning::vector;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr Eigen::Index kPolledPoints = 256;  // between two polls
 
 // Draws in a row whose nearest configurations are refused, after which the others are tried too.
 constexpr int kPatience = 100;
@@ -90,7 +88,7 @@ std::optional<Placement> placed(Query& query, const Planar& object_S) {
 StartRegion::StartRegion(const ob::SpaceInformationPtr& si, Query& query)
     : planning::SampleableRegion(si),
       query_(query),
-      inside_(contact_points(query.problem, query.options)) {}
+      contacts_(contact_points(query.problem, query.options)) {}
 
 /// Draws a contact point, uniformly. Where friction is the bottleneck, more of them near the centre
 /// of mass.
@@ -99,13 +97,13 @@ std::int32_t StartRegion::draw_point() const {
   const auto nth = [](const auto& points, double t) {
     return points[static_cast<std::size_t>(t * static_cast<double>(points.size()))];
   };
-  if (query_.num_lags < kLagPatience) return nth(inside_, share);
+  if (query_.num_lags < kLagPatience) return nth(contacts_, share);
   if (nearest_.empty()) {
     const Object& object = query_.problem.object;
     const auto far = [&](std::int32_t i) {
       return (object.points().col(i) - object.com().head<2>()).squaredNorm();
     };
-    nearest_ = inside_;
+    nearest_ = contacts_;
     std::stable_sort(nearest_.begin(), nearest_.end(),
                      [&](std::int32_t a, std::int32_t b) { return far(a) < far(b); });
   }

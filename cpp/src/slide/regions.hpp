@@ -25,7 +25,7 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
   std::int32_t draw_point() const;
 
   Query& query_;
-  std::vector<std::int32_t> inside_;  ///< contact points
+  std::vector<std::int32_t> contacts_;  ///< indices of contact_points()
   mutable std::vector<std::int32_t>
       nearest_;              ///< the same, the nearest to the centre of mass first
   mutable int refused_ = 0;  ///< draws in a row whose nearest configuration is not valid

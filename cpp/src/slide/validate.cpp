@@ -155,7 +155,7 @@ void validate(const Problem& problem, const Options& options) {
                                 "width, not " +
                                 std::to_string(problem.object.thickness()) + " m");
   }
-  if (contact_points(problem, options).empty()) {
+  if (problem.object.heights() && contact_points(problem, options).empty()) {
     throw std::invalid_argument("object '" + problem.object.name() +
                                 "' has nothing to press on: no part of its top is level within " +
                                 in_mm(face_radius(problem.hand)) + " of a contact");
