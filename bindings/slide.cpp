@@ -106,6 +106,12 @@ void bind_object(py::module_& m) {
       .def("with_heights", &Object::with_heights, py::arg("heights_O"),
            "Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism."
            "\n\nRaises ValueError if the map is higher than the thickness.")
+      .def_property_readonly(
+          "is_hollow", &Object::is_hollow,
+          "True if the underside may be hollow: the object may rest on the rim of its outline "
+          "alone.")
+      .def("with_hollow", &Object::with_hollow, py::arg("is_hollow"),
+           "Returns a copy whose underside may be hollow, or is flat.")
       .def("scaled", &Object::scaled, py::arg("scale"),
            "Returns a copy scaled in its plane. Thickness and mass stay the same.")
       .def("__repr__", [](const py::object& self) {

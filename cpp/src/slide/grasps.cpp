@@ -8,20 +8,35 @@
 
 namespace graspless::slide {
 
+namespace {
+
+/// Ways from the middle of what sticks out towards the edge at which the hand may close, the
+/// deepest first [m].
+std::vector<double> depths(const Options& options, const Placement& place) {
+  constexpr double kFromEdge = 0.01;  // [m]
+  const double out = -place.edge.inward.dot(place.out_center - place.edge.a) - kFromEdge;
+  if (!options.deep_grasp || out <= 0) return {0};
+  return {out, out / 2, 0};
+}
+
+}  // namespace
+
 std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Placement& place,
                                                                        std::size_t enough) {
   // Without a free joint, all draws of a roll have the same solutions, and find_reach() draws the
   // others again.
   const robot::Ik& ik = query_.grasp_ik;
   const bool varies = !ik.is_closed_form() || ik.free_joint();
-  const int draws = varies ? 12 : 2;
+  const std::vector<double> deeps = depths(query_.options, place);
+  const int draws = std::max(varies ? 12 : 2, 2 * static_cast<int>(deeps.size()));
   std::vector<GraspConfiguration> found;
   std::optional<std::pair<int, int>> touching;
   Eigen::VectorXd q_touching;
   robot::Poses X_WL;
   for (int i = 0; i < draws && found.size() < enough; ++i) {
     const int roll = i % 2;
-    const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll);
+    const double deep = deeps[static_cast<std::size_t>(i / 2) % deeps.size()];
+    const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll, -deep);
     for (const Eigen::VectorXd& q :
          query_.draw_ik(ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {
       if (!varies && enough == 1 && !found.empty()) break;
@@ -30,7 +45,7 @@ std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Pla
         touching = pair;
         q_touching = q;
       } else {
-        found.push_back({query_.arm.part(q), roll});
+        found.push_back({query_.arm.part(q), roll, deep});
       }
     }
   }

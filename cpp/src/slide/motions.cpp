@@ -163,6 +163,7 @@ bool Motions::find_reach(Handling& handling) {
   }
   const Eigen::VectorXd& from = handling.lift.back();
   std::sort(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+    if (a.deep != b.deep) return a.deep > b.deep;
     return (a.arm - from).squaredNorm() < (b.arm - from).squaredNorm();
   });
   const auto is_same = [](const auto& a, const auto& b) { return a.arm == b.arm; };
@@ -195,7 +196,7 @@ bool Motions::add_grasp(const GraspConfiguration& grasp, Handling& handling) {
   const int steps = pieces(back, kGraspStep);
   for (int i = 1; i <= steps; ++i) {
     outwards.push_back(
-        grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps));
+        grasp_pose(query_.problem, handling.placement, grasp.roll, back * i / steps - grasp.deep));
   }
   const auto out = hand_.track(query_.grasp_ik, grasp.arm, outwards);
   if (!out || !is_straight(*out, handling, grasp.roll)) {
@@ -206,7 +207,7 @@ bool Motions::add_grasp(const GraspConfiguration& grasp, Handling& handling) {
   if (!close) return false;
   handling.grasp = Path(out->rbegin(), out->rend());
   handling.close = *close;
-  handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll);
+  handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll, -grasp.deep);
   return true;
 }
 

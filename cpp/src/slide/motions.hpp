@@ -64,6 +64,7 @@ class GRASPLESS_API Motions {
   struct GraspConfiguration {
     Eigen::VectorXd arm;
     int roll;
+    double deep;  ///< way from the middle of what sticks out towards the edge [m]
   };
 
   const std::optional<Approach>& approach_to(const Eigen::VectorXd& start);

@@ -9,6 +9,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "slide/rim.hpp"
+
 namespace graspless::slide {
 namespace {
 
@@ -102,11 +104,14 @@ std::vector<std::int32_t> contact_points(const Problem& problem, const Options& 
   return kept;
 }
 
-bool is_com_inside(const Problem& problem, const Planar& object_S, double margin) {
+Eigen::Vector2d com_foot(const Problem& problem, const Planar& object_S) {
   const Eigen::Vector3d com_S = spatial(object_S) * problem.object.com();
   const Eigen::Vector3d down_S = -problem.support.X_WS().linear().row(2).transpose();
-  const Eigen::Vector3d foot = com_S + down_S * (com_S.z() / -down_S.z());
-  return problem.support.polygon().depth(foot.head<2>()) >= margin;
+  return (com_S + down_S * (com_S.z() / -down_S.z())).head<2>();
+}
+
+bool is_com_inside(const Problem& problem, const Planar& object_S, double margin) {
+  return problem.support.polygon().depth(com_foot(problem, object_S)) >= margin;
 }
 
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S) {
@@ -150,6 +155,8 @@ Placement placement(const Problem& problem, const Options& options, const Planar
     result.fault = "edge not usable";
   }
   result.com_inside = is_com_inside(problem, object_S, options.com_margin);
+  if (problem.object.is_hollow() && result.com_inside)
+    result.com_inside = is_held_by_rim(problem, object_S, options.com_margin);
   return result;
 }
 

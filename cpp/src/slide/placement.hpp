@@ -26,7 +26,9 @@ struct Placement {
   Eigen::Vector2d out_center;
   geometry::Polygon::Edge edge{};  ///< the edge nearest to out_center
   double height = 0;               ///< of the object, near out_center [m]
-  bool com_inside = false;         ///< the centre of mass is at least com_margin inside Q
+  /// The centre of mass is at least com_margin inside Q; over a hollow underside, also inside the
+  /// part of the rim that is on Q.
+  bool com_inside = false;
   std::string fault = "overhang";  ///< what is wrong if the overhang is too small
 };
 
@@ -42,6 +44,9 @@ double face_radius(const Hand& hand);
 /// Indices of those of P_o on which the finger may press: not within rim_margin() of the outline,
 /// and on the object's top face.
 std::vector<std::int32_t> contact_points(const Problem& problem, const Options& options);
+
+/// Centre of mass, projected along gravity onto the support, in S [m].
+Eigen::Vector2d com_foot(const Problem& problem, const Planar& object_S);
 
 /// True if the centre of mass, projected along gravity, lies at least `margin` [m] inside the
 /// polygon.

@@ -11,6 +11,8 @@
 #include "graspless/mechanics/contact.hpp"
 #include "graspless/watch.hpp"
 
+#include "slide/rim.hpp"
+
 namespace graspless::slide {
 namespace {
 
@@ -262,6 +264,13 @@ Object Object::with_heights(const geometry::HeightMap& heights_O) const {
   return other;
 }
 
+Object Object::with_hollow(bool is_hollow) const {
+  Object other = *this;
+  other.is_hollow_ = is_hollow;
+  other.lever_ = is_hollow ? rim_distance(outline_, top_->middle) / mean_distance(top_->middle) : 1;
+  return other;
+}
+
 bool Object::has_face_at(const Eigen::Vector2d& p_O, double radius) const {
   if (!heights_) return true;
   const auto [least, largest] = heights_->range_near(p_O, radius);
@@ -279,6 +288,8 @@ Object Object::scaled(double scale) const {
   if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
   other.com_.z() = com_.z();
   other.mass_ = mass_;
+  other.lever_ = lever_;
+  other.is_hollow_ = is_hollow_;
   if (!heights_) return other;
   geometry::HeightMap map = *heights_;
   map.corner *= scale;

@@ -60,9 +60,9 @@ bool Query::is_lag_likely_small(const ContactSpace::Carried& carried, double dep
                                 const Placement& place, const Planar& object_goal) {
   if (!refuses_lag) return true;
   const Planar tip_goal = object_goal * carried.object_start.inverse() * carried.tip_start;
-  const Planar end =
-      weakest_end(problem, options, {carried.tip_start, tip_goal, carried.object_start, depth});
-  return allows_lag("goal", {end}, object_goal, [&] { return place.out_center; });
+  const std::vector<Planar> ends =
+      weakest_ends(problem, options, {carried.tip_start, tip_goal, carried.object_start, depth});
+  return allows_lag("goal", ends, object_goal, [&] { return place.out_center; });
 }
 
 bool Query::allows_lag(const std::string& what, const std::vector<Planar>& ends, const Planar& goal,

@@ -60,6 +60,10 @@ class Object:
         
         Raises ValueError if the map is higher than the thickness.
         """
+    def with_hollow(self, is_hollow: bool) -> Object:
+        """
+        Returns a copy whose underside may be hollow, or is flat.
+        """
     def with_mass(self, mass: typing.SupportsFloat | typing.SupportsIndex) -> Object:
         """
         Returns a copy with another mass [kg].
@@ -73,6 +77,11 @@ class Object:
     def heights(self) -> graspless._core.geometry.HeightMap | None:
         """
         geometry.HeightMap of the object in O; None if it is a prism.
+        """
+    @property
+    def is_hollow(self) -> bool:
+        """
+        True if the underside may be hollow: the object may rest on the rim of its outline alone.
         """
     @property
     def is_thin(self) -> bool:
@@ -383,7 +392,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, refuse_lag: bool = True, friction_spread: typing.SupportsFloat | typing.SupportsIndex = 0.3, mass_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, com_spread: typing.SupportsFloat | typing.SupportsIndex = 0.005, thickness_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, height_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, flexure_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, position_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, angle_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0349, tracking_spread: typing.SupportsFloat | typing.SupportsIndex = 0.001, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, deep_grasp: bool = False, refuse_lag: bool = True, friction_spread: typing.SupportsFloat | typing.SupportsIndex = 0.3, mass_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, com_spread: typing.SupportsFloat | typing.SupportsIndex = 0.005, pad_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0, thickness_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, height_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, flexure_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, position_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, angle_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0349, tracking_spread: typing.SupportsFloat | typing.SupportsIndex = 0.001, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -418,6 +427,16 @@ class Options:
         """
     @com_spread.setter
     def com_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def deep_grasp(self) -> bool:
+        """
+        Grasp as near to the support's edge as the hand can, where the weight turns the object least in it. The paper's hand closes in the middle of what sticks out.
+        
+        Default: False.
+        """
+    @deep_grasp.setter
+    def deep_grasp(self, arg0: bool) -> None:
         ...
     @property
     def flexure_spread(self) -> float:
@@ -518,6 +537,16 @@ class Options:
         """
     @min_overhang.setter
     def min_overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def pad_spread(self) -> float:
+        """
+        Part of the pad's length that may not bear, because the object is uneven or tilted: the rest of it may be at either end.
+        
+        Range: [0, 1). Default: 0.0.
+        """
+    @pad_spread.setter
+    def pad_spread(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def pitch(self) -> float:

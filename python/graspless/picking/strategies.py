@@ -63,25 +63,38 @@ class Way:
     overhang: float | None = None
     iterations: int | None = None
     cell: float = 0.0
+    uneven: float = 0.0
 
 
 # The next way is tried if one finds no plan that holds. Faces of small objects come out best by one
-# outline or the other. A hand that grips an object 2 cm from its edge loses one of 0.2 kg: the
-# weight turns it.
+# outline or the other. The farther a slide goes, the nearer the hand grips to the centre of mass,
+# and the less the weight turns the object in it: 0.2 kg are lost 2 cm from the object's edge.
+FAR, NEAR_EDGE = 0.025, 0.035  # least distance from the centre of mass; least overhang [m]
+UNEVEN = 0.7  # part of the pad that does not bear: objects are not as flat as their outlines say
 SMOOTH = 0.0015
 FINE, COARSE = 0.0025, 0.005  # pixels are about 2 mm apart; boxes of coarse heights are fewer [m]
 WAYS = {
-    "pinch": (Way(SMOOTH), Way()),
-    "rim": (Way(cell=FINE),),
-    "slide": (Way(SMOOTH, 0.035, 2000), Way(SMOOTH)),
-    "clasp": (Way(),),
+    "pinch": [Way(SMOOTH), Way()],
+    "rim": [Way(cell=FINE)],
+    "slide": [
+        Way(SMOOTH, NEAR_EDGE, 2000, uneven=UNEVEN),
+        Way(SMOOTH, NEAR_EDGE, 2000),
+        Way(SMOOTH),
+    ],
+    "clasp": [Way()],
 }
 
 
 def ways_of(strategy: str, wish: Wish) -> list[Way]:
     """Returns the ways to ask for a strategy. Only what is flat on top is slid as a prism."""
-    is_flat = strategy != "slide" or top_share(wish) >= FLAT
-    return [way if is_flat else replace(way, cell=COARSE) for way in WAYS[strategy]]
+    ways = WAYS[strategy]
+    if strategy != "slide":
+        return ways
+    far = _narrowest(np.asarray(wish.thing.outline)) / 2 - FAR
+    if far > NEAR_EDGE:
+        ways = [replace(ways[0], overhang=far), *ways]
+    is_flat = top_share(wish) >= FLAT
+    return [way if is_flat else replace(way, cell=COARSE) for way in ways]
 
 
 def chain_of(
@@ -98,11 +111,13 @@ def chain_of(
     kind = KINDS.get(strategy, strategy)
     grasp = {"name": strategy, "kind": kind, **_FIELDS[strategy](wish)}
     if way.smooth > 0:
-        grasp["object"] = object_fields(wish, way.smooth)
+        grasp["object"] = {**grasp["object"], **object_fields(wish, way.smooth)}
     if way.cell > 0:
         grasp["object"] = {**grasp["object"], "heights": heights_fields(wish, way.cell)}
+    if strategy == "slide":
+        grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True}
     if way.overhang is not None:
-        grasp["options"] = {"min_overhang": way.overhang}
+        grasp["options"] |= {"min_overhang": way.overhang}
     return {
         "kind": "chain",
         "robot": wish.robot,
@@ -131,7 +146,9 @@ def _pinch(wish: Wish) -> dict[str, Any]:
 
 
 def _slide(wish: Wish) -> dict[str, Any]:
-    return _pinch(wish) | {"support": support_fields(wish, wish.real_edges)}
+    """Returns the fields of a slide. No camera saw the underside of the object."""
+    fields = _pinch(wish) | {"support": support_fields(wish, wish.real_edges)}
+    return fields | {"object": {**fields["object"], "hollow": True}}
 
 
 def _clasp(wish: Wish) -> dict[str, Any]:

@@ -252,7 +252,8 @@ TEST(Resume, SaysWhyNoSlideCanGoOn) {
   const Interruption good = midway();
   const auto moved = [&](const Eigen::Isometry3d& X_WO) { return Interruption{good.q, X_WO, {}}; };
   const auto with_q = [&](const Eigen::VectorXd& q) { return Interruption{q, good.X_WO, {}}; };
-  Eigen::VectorXd hand_closed = problem.robot.state("closed", good.q);
+  const Eigen::VectorXd closed = problem.robot.state("closed", good.q),
+                        ajar = good.q + 0.3 * (closed - good.q);
   const std::vector<Lost> cases{
       {moved(shifted(good.X_WO, 0, 0, 0.03)), Status::off_support, "30 mm above the support"},
       {moved(shifted(good.X_WO, 0, 0, -0.4)), Status::off_support, "400 mm below the support"},
@@ -261,7 +262,7 @@ TEST(Resume, SaysWhyNoSlideCanGoOn) {
       {moved(shifted(good.X_WO, 0.2, 0)), Status::contact_lost, "beside the object"},
       {with_q(problem.q_home), Status::contact_lost, "above the object's top face"},
       {with_q(whole().segments[3].positions.back()), Status::contact_lost, "above the object's"},
-      {with_q(hand_closed), Status::contact_lost, "joint 'left_finger_joint'"},
+      {with_q(ajar), Status::contact_lost, "joint 'left_finger_joint'"},
   };
   for (const Lost& lost : cases) {
     const Plan rest = resume(problem, lost.at, {}, seeded(1));

@@ -40,10 +40,12 @@ struct Options {
   double rim_margin = 0.005;
   double lift_height = 0.08;
   double grasp_approach = 0.06;
+  bool deep_grasp = false;
   bool refuse_lag = true;
   double friction_spread = 0.3;
   double mass_spread = 0.2;
   double com_spread = 0.005;
+  double pad_spread = 0;
   double thickness_spread = 0.2;
   double height_spread = 0.003;
   double flexure_spread = 0.2;
@@ -97,6 +99,9 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 1)},
       Field{"grasp_approach", &Options::grasp_approach, "m",
             "Length of the hand's straight final motion.", Range::left_open(0, 1)},
+      Field{"deep_grasp", &Options::deep_grasp, "",
+            "Grasp as near to the support's edge as the hand can, where the weight turns the "
+            "object least in it. The paper's hand closes in the middle of what sticks out."},
       Field{
           "refuse_lag", &Options::refuse_lag, "",
           "Refuse slides in which the object may lag so far behind the finger, by the friction of "
@@ -108,6 +113,10 @@ constexpr auto fields(const Options&) {
             "Uncertainty of the object's mass: a fraction of it.", kFraction},
       Field{"com_spread", &Options::com_spread, "m", "Uncertainty of the object's centre of mass.",
             Range::not_negative()},
+      Field{"pad_spread", &Options::pad_spread, "",
+            "Part of the pad's length that may not bear, because the object is uneven or tilted: "
+            "the rest of it may be at either end.",
+            kFraction},
       Field{"thickness_spread", &Options::thickness_spread, "",
             "Uncertainty of the object's thickness: a fraction of it.", kFraction},
       Field{"height_spread", &Options::height_spread, "m",

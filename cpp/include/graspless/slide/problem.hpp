@@ -57,6 +57,9 @@ class GRASPLESS_API Object {
   double mean_distance(const Eigen::Vector2d& p_O) const {
     return top_->ratio * std::sqrt(top_->variance + (p_O - top_->middle).squaredNorm());
   }
+  /// Largest lever of friction on the underside, relative to mean_distance(): 1 of a flat one. A
+  /// hollow one may bear on two places of its outline, between which the middle of points() lies.
+  double lever() const { return lever_; }
   /// Distance between neighbouring points(): the square root of the outline's area per point [m].
   double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }  ///< of its highest part [m]
@@ -71,6 +74,8 @@ class GRASPLESS_API Object {
   bool is_thin() const;  ///< true if the thickness is at most half the least width
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
+  /// True if the underside may be hollow: the object may rest on the rim of its outline alone.
+  bool is_hollow() const { return is_hollow_; }
   /// Heights within the outline, if they are known: the object is a prism otherwise.
   const std::optional<geometry::HeightMap>& heights() const { return heights_; }
   /// Prisms over the convex parts of the outline, or columns of the heights, in O, for collision
@@ -86,6 +91,8 @@ class GRASPLESS_API Object {
   /// Returns a copy that is as high as a map, in O, and no longer a prism. Throws
   /// std::invalid_argument unless the map is valid and nowhere higher than the thickness.
   Object with_heights(const geometry::HeightMap& heights_O) const;
+  /// Returns a copy whose underside may be hollow, or is flat.
+  Object with_hollow(bool is_hollow) const;
   /// Returns a copy scaled in its plane. Thickness and mass stay the same.
   Object scaled(double scale) const;
 
@@ -106,7 +113,8 @@ class GRASPLESS_API Object {
   double spacing_;
   double thickness_, face_height_;
   Eigen::Vector3d com_;
-  double mass_ = 0.05;
+  double mass_ = 0.05, lever_ = 1;
+  bool is_hollow_ = false;
   std::optional<geometry::HeightMap> heights_;
   std::vector<geometry::PlacedShape> shapes_;
   collision::Solid solid_;

@@ -97,6 +97,7 @@ class Examination {
     bool is_over_unusable_edge = false;
   };
   Protrusion protrusion() const;
+  void check_rim(const Eigen::Vector2d& com);
   double highest_near(const Eigen::Vector2d& p_O, const Protrusion& out) const;
   bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                   const Eigen::Isometry3d& X_SO) const;

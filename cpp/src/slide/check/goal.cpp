@@ -149,6 +149,38 @@ void Examination::check_pair() {
   if (!(inside >= options_.com_margin - 1e-9)) {
     fault("goal", "the centre of mass is only " + figure(inside) + " m inside the edge");
   }
+  if (problem_.object.is_hollow()) check_rim((X_SW_ * com_W).head<2>());
+}
+
+/// An object that rests on its rim alone must not tip: in no direction may the whole part of the
+/// rim that is on the support end short of the centre of mass.
+void Examination::check_rim(const Eigen::Vector2d& com) {
+  constexpr int kDirections = 720, kPerEdge = 50;
+  constexpr double kSampled = 2e-3;  // points on the rim are that far apart, or nearer [m]
+  const Eigen::Matrix2Xd& rim_O = problem_.object.outline().vertices();
+  const Planar X_SO = planar(X_SW_ * plan_.X_WO_goal);
+  Points held;
+  for (Eigen::Index i = 0; i < rim_O.cols(); ++i) {
+    poll();
+    const Eigen::Vector2d a = rim_O.col(i), side = rim_O.col((i + 1) % rim_O.cols()) - a;
+    const int count = std::max(kPerEdge, static_cast<int>(side.norm() / kSampled));
+    for (int k = 0; k < count; ++k) {
+      const Eigen::Vector2d p = X_SO * Eigen::Vector2d(a + side * k / count);
+      if (signed_depth(problem_.support.polygon().vertices(), p) >= 0) held.push_back(p);
+    }
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = k * 2 * std::acos(-1.0) / kDirections;
+    const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const auto& p : held) farthest = std::max(farthest, u.dot(p - com));
+    least = std::min(least, farthest);
+  }
+  if (!(least >= options_.com_margin - kSampled)) {
+    fault("goal", "resting on its rim alone, the object tips: the centre of mass is only " +
+                      figure(least) + " m inside the part of it on the support");
+  }
 }
 
 /// Largest height of the object around the middle of what sticks out, in O, as far as from there to
@@ -187,8 +219,13 @@ void Examination::check_grasp() {
   }
   const Eigen::Vector2d center_O = (planar(X_SW_ * plan_.X_WO_goal).inverse() * out.center);
   const Eigen::Vector3d where(out.center.x(), out.center.y(), highest_near(center_O, out) / 2);
-  if (!(X_SH.translation() - where).isZero(kSame)) {
-    fault("grasp", "the hand is not at the middle of the part that sticks out");
+  const double from_edge = -in.head<2>().dot(out.center - out.edge.a),
+               deep = in.dot(X_SH.translation() - where);
+  const bool is_deep = options_.deep_grasp && deep > 0 && deep < from_edge;
+  if (!(X_SH.translation() - where - (is_deep ? deep : 0) * in).isZero(kSame)) {
+    fault("grasp", options_.deep_grasp
+                       ? "the hand is not between the edge and the middle of what sticks out"
+                       : "the hand is not at the middle of the part that sticks out");
   }
   check_straight(grasp);
 }

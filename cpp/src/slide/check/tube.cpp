@@ -82,6 +82,12 @@ void Examination::check_ends(const std::vector<Planar>& ends) {
     if (!(signed_depth(problem_.object.outline().vertices(), grasp_O) >= least - kRounded)) {
       fault("tube", "friction may leave the object out of the hand");
     }
+    const Planar off = planar(X_SW_ * plan_.X_WO_goal).inverse() * X_SO;
+    const double turn = std::abs(std::atan2(off.linear()(1, 0), off.linear()(0, 0)));
+    if (!(turn <= (1 + kRelative) * kMostLag.angle + kRounded))
+      fault("tube", "friction may leave the object turned by " + figure(turn) + " rad");
+    if (!(off.translation().norm() <= (1 + kRelative) * kMostLag.position + kRounded))
+      fault("tube", "friction may leave the object " + figure(off.translation().norm()) + " m off");
   }
 }
 

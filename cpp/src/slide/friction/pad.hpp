@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "slide/friction/pressed.hpp"
 
@@ -55,6 +56,11 @@ class Leg {
   Leg(const Problem& problem, const Pad& from, const Pad& to);
 
   const Eigen::Vector3d& twist() const { return twist_; }  ///< way [m] and turn [rad]
+  /// Unit vector along the line contact, across the heading.
+  Eigen::Vector2d line_at(double t) const {
+    const double yaw = from_.yaw + t * twist_.z();
+    return {-std::sin(yaw), std::cos(yaw)};
+  }
   PadPoint at(double t) const {
     return {from_.position + t * twist_.head<2>(),
             1 / (press_from_ + t * (press_to_ - press_from_)),

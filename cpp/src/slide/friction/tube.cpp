@@ -28,12 +28,30 @@ constexpr double kFelt = 0.05;  // smallest shift of the pressure that matters, 
 constexpr double kArmLever = 0.05;  // over which an error of the tip turns the pad [m]
 
 /// World in which a slide is followed: how much weaker the pad is than in the task, as a share of
-/// the spread, and where the centre of mass is.
+/// the spread, where the centre of mass is, on which part of its length the pad bears, and how far
+/// out the support's friction acts.
 struct World {
   double weakness;
   Eigen::Vector2d com_O;
   Planar X_SO;
+  double bearing = 1;  // share of the pad's length
+  double beside = 0;   // of the middle of that part from the middle of the pad [m]
+  double lever = 1;    // of friction, relative to an even pressure
 };
+
+/// The place of a world's pad on its way.
+PadPoint pad_at(const World& world, const Leg& leg, double t) {
+  PadPoint pad = leg.at(t);
+  if (world.beside != 0) pad.position += world.beside * leg.line_at(t);
+  return pad;
+}
+
+/// Its twist between two places.
+Eigen::Vector3d twist_between(const World& world, const Leg& leg, double from, double to) {
+  Eigen::Vector3d twist = (to - from) * leg.twist();
+  if (world.beside != 0) twist.head<2>() += world.beside * (leg.line_at(to) - leg.line_at(from));
+  return twist;
+}
 
 /// Returns the object's twist at the pad for that of the pad.
 Eigen::Vector3d twist_in(const Problem& problem, const World& world, const PadPoint& pad,
@@ -41,10 +59,10 @@ Eigen::Vector3d twist_in(const Problem& problem, const World& world, const PadPo
   const Eigen::Vector2d p_TC =
       (world.X_SO * world.com_O - pad.position) * (pad.weight / (1 + pad.weight));
   const Eigen::Vector2d p_OC = world.X_SO.inverse() * (pad.position + p_TC);
-  const double radius = pad.radius * problem.object.mean_distance(p_OC);
+  const double radius = world.lever * pad.radius * problem.object.mean_distance(p_OC);
   const double ratio = problem.support.friction() / problem.hand.pad_friction * (1 + pad.weight) *
                        std::exp(world.weakness * pad.weakness);
-  return dragged({ratio, radius, problem.hand.pad_width / 4}, p_TC, twist);
+  return dragged({ratio, radius, world.bearing * problem.hand.pad_width / 4}, p_TC, twist);
 }
 
 /// Moves an object by a twist at its point `at`.
@@ -61,9 +79,11 @@ Planar moved(const Planar& X_SO, const Eigen::Vector2d& at, const Eigen::Vector3
 /// begins or ends within a step is lost, or counted for all of it.
 void follow(const Problem& problem, const Leg& leg, double stride, World& world) {
   World there = world;
-  there.X_SO = moved(world.X_SO, leg.at(0).position, leg.twist());
-  const bool holds = twist_in(problem, world, leg.at(0), leg.twist()) == leg.twist();
-  const bool holds_then = twist_in(problem, there, leg.at(1), leg.twist()) == leg.twist();
+  const PadPoint start = pad_at(world, leg, 0), end = pad_at(world, leg, 1);
+  const Eigen::Vector3d whole = twist_between(world, leg, 0, 1);
+  there.X_SO = moved(world.X_SO, start.position, whole);
+  const bool holds = twist_in(problem, world, start, whole) == whole;
+  const bool holds_then = twist_in(problem, there, end, whole) == whole;
   if (holds && holds_then) {
     world = there;
     return;
@@ -73,14 +93,36 @@ void follow(const Problem& problem, const Leg& leg, double stride, World& world)
       std::max(leg.twist().head<2>().norm(), std::abs(leg.twist().z()) / kTurnStride);
   const double strides = std::min(std::ceil(length / stride), 1.0 * kMostSteps);
   const int steps = std::max(1, static_cast<int>(strides));
-  const Eigen::Vector3d step = leg.twist() / steps;
   for (int i = 0; i < steps; ++i) {
     poll();
-    const PadPoint from = leg.at(1.0 * i / steps), middle = leg.at((i + 0.5) / steps);
+    const double t = 1.0 * i / steps;
+    const PadPoint from = pad_at(world, leg, t), middle = pad_at(world, leg, (i + 0.5) / steps);
+    const Eigen::Vector3d step = twist_between(world, leg, t, (i + 1.0) / steps);
     World half = world;
     half.X_SO = moved(world.X_SO, from.position, twist_in(problem, world, from, step) / 2);
     const Eigen::Vector3d twist = twist_in(problem, half, middle, step);
     world.X_SO = moved(world.X_SO, middle.position - twist.head<2>() / 2, twist);
+  }
+}
+
+/// Two worlds in which the pad bears at one of its ends, as far as options.pad_spread allows.
+void add_ends(const Problem& problem, const Options& options, const Planar& X_SO,
+              std::vector<World>& worlds) {
+  const double off = options.pad_spread;
+  if (off == 0) return;
+  for (const double side : {-0.5, 0.5}) {
+    const double beside = side * off * problem.hand.pad_width;
+    worlds.push_back({kBothWorst, problem.object.com().head<2>(), X_SO, 1 - off, beside});
+  }
+}
+
+/// The same worlds with friction on the rim of a hollow object: it makes turning harder for the
+/// pad, and following.
+void add_rims(const Problem& problem, std::vector<World>& worlds) {
+  if (!problem.object.is_hollow()) return;
+  for (std::size_t i = 0, flat = worlds.size(); i < flat; ++i) {
+    worlds.push_back(worlds[i]);
+    worlds.back().lever = problem.object.lever();
   }
 }
 
@@ -102,6 +144,8 @@ std::vector<World> worlds_of(const Problem& problem, const Options& options,
     worlds.push_back({kBothWorst, com + aside, X_SO});
     worlds.push_back({kBothWorst, com - aside, X_SO});
   }
+  add_ends(problem, options, X_SO, worlds);
+  add_rims(problem, worlds);
   return worlds;
 }
 
@@ -131,6 +175,12 @@ void add_row(const Problem& problem, const Options& options, const PressedRow& r
                        combined({options.angle_spread, options.tracking_spread / kArmLever}));
 }
 
+std::vector<Planar> ends_of(const std::vector<World>& worlds) {
+  std::vector<Planar> ends;
+  for (const World& world : worlds) ends.push_back(world.X_SO);
+  return ends;
+}
+
 }  // namespace
 
 Course course(const Problem& problem, const Options& options, const std::vector<PressedRow>& rows) {
@@ -148,15 +198,18 @@ Course course(const Problem& problem, const Options& options, const std::vector<
     add_row(problem, options, row, now.shift_spread, worlds, found.tube);
     before = now;
   }
-  for (const World& world : worlds) found.ends.push_back(world.X_SO);
+  found.ends = ends_of(worlds);
   return found;
 }
 
-Planar weakest_end(const Problem& problem, const Options& options, const EvenSlide& slide) {
+std::vector<Planar> weakest_ends(const Problem& problem, const Options& options,
+                                 const EvenSlide& slide) {
   constexpr double kMostTurn = 0.5;  // of a leg [rad]
   const double turn = turn_between(slide.tip_start, slide.tip_goal);
   const int legs = 1 + static_cast<int>(std::abs(turn) / kMostTurn);
-  World world{1, problem.object.com().head<2>(), slide.object_start};
+  std::vector<World> worlds{{1, problem.object.com().head<2>(), slide.object_start}};
+  add_ends(problem, options, slide.object_start, worlds);
+  add_rims(problem, worlds);
   Pad before = Pads(problem, options).at(slide.tip_start, slide.depth, options.pitch);
   for (int i = 1; i <= legs; ++i) {
     const double t = 1.0 * i / legs;
@@ -164,10 +217,11 @@ Planar weakest_end(const Problem& problem, const Options& options, const EvenSli
     now.position = (1 - t) * slide.tip_start.translation() + t * slide.tip_goal.translation();
     now.heading = Eigen::Rotation2Dd(t * turn) * slide.tip_start.linear().col(0).eval();
     now.yaw = before.yaw + turn / legs;
-    follow(problem, Leg(problem, before, now), kLongStride, world);
+    const Leg leg(problem, before, now);
+    for (World& world : worlds) follow(problem, leg, kLongStride, world);
     before = now;
   }
-  return world.X_SO;
+  return ends_of(worlds);
 }
 
 Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal) {
@@ -191,6 +245,9 @@ std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& o
     if (!is_com_inside(problem, end, 0)) return "the center of mass off the support";
     if (depth_at(end) < least) return "the object out of the hand";
   }
+  const Lag lag = largest_lag(ends, object_goal);
+  if (lag.angle > kMostLag.angle) return "the object turned by more than 5 deg";
+  if (lag.position > kMostLag.position) return "the object more than 10 mm behind";
   return std::nullopt;
 }
 

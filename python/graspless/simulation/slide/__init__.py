@@ -17,7 +17,7 @@ from ..results import Recording, Running, Trial
 from ..robots import joint_addresses, lags, set_positions
 from ..settings import SLIDE_SPREAD, Slide
 from .conditions import CONDITIONS, draw
-from .fingers import PAD, SLIDING, wrist_stiffness
+from .fingers import PAD, SLIDING, WRIST, wrist_stiffness
 from .judge import FAILURES, Judge
 from .kick import Kick
 from .program import HOLD, RAISE, SQUEEZE, make_program
@@ -220,12 +220,19 @@ class Execution:
         self._press(command.phase)
 
     def _press(self, phase: str) -> None:
-        """Presses a finger that holds a force onto the object."""
+        """Presses a finger that holds a force onto the object, however low that is.
+
+        The spring of the wrist holds the finger across the force, not along it.
+        """
         problem = self.plan.task.problem
         if problem.hand.finger_model == "rigid_guarded":
-            force = problem.hand.press_force if phase in ("press", "slide") else 0.0
-            body = self.scene.model.body(SLIDING).id
-            self.data.xfrc_applied[body][:3] = -force * np.array(problem.support.normal_W)
+            data, up = self.data, np.array(problem.support.normal_W)
+            force = 0.0
+            if phase in ("press", "slide"):
+                joints = [data.joint(f"{WRIST}{axis}") for axis in "xyz"]
+                given_way = sum(float(joint.qpos[0]) * joint.xaxis for joint in joints) @ up
+                force = problem.hand.press_force - self.settings.guarded_stiffness * given_way
+            data.xfrc_applied[self.scene.model.body(SLIDING).id][:3] = -force * up
 
     def _end_of(self, phase: str, following: str) -> None:
         if (phase, following) == self._slid_after:

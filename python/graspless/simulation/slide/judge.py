@@ -45,6 +45,7 @@ class Judge:
     touched: tuple[str, str] | None = None  # what hit what
     lowest: float = field(init=False)  # where the object has not fallen yet [m]
     _lost: float = 0.0
+    _has_fallen: bool = False
 
     def __post_init__(self) -> None:
         model = self.scene.model
@@ -75,6 +76,7 @@ class Judge:
         if phase in _BEFORE_GRASP and not self.tilt(data) <= self.tipped:
             self.note("tipped")
         if not data.xpos[self._body][2] >= self.lowest:
+            self._has_fallen = True
             self.note("fell" if phase not in ("raise", "hold") else "dropped")
 
     def note(self, failure: str) -> None:
@@ -89,8 +91,8 @@ class Judge:
 
     @property
     def is_over(self) -> bool:
-        """True if the trial has failed for good."""
-        return "fell" in self.failures or "dropped" in self.failures
+        """True if the object has fallen."""
+        return self._has_fallen
 
     def pose(self, data: Any) -> Matrix:
         """X_WO."""
@@ -108,6 +110,12 @@ class Judge:
         a, b = self._kinds(data)
         other = np.where(a == self._object, b, np.where(b == self._object, a, 0))
         return all((other == finger).any() for finger in self._fingers)
+
+    def holds_clear(self, data: Any) -> bool:
+        """Returns True if both fingers touch the object, and nothing else does."""
+        a, b = self._kinds(data)
+        other = np.where(a == self._object, b, np.where(b == self._object, a, self._fingers[0]))
+        return self.holds(data) and bool(np.isin(other, self._fingers).all())
 
     def is_touched(self, data: Any) -> bool:
         """Returns True if a finger or another part of the robot touches the object."""

@@ -71,6 +71,7 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
             **struct_fields(thing, ["name", "thickness", "com", "mass"]),
             **_outline(thing),
             **_heights(thing),
+            **({"hollow": True} if thing.is_hollow else {}),
             "pose": {name: float(value) for name, value in pose.items()},
         },
         "support": {

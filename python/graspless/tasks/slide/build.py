@@ -121,6 +121,8 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
         if thing.heights is not None:
             with at(source, "object", "heights"):
                 built = built.with_heights(build_heights(thing.heights))
+        if thing.hollow:
+            built = built.with_hollow(True)
         if thing.scale != 1:
             built = built.scaled(thing.scale)
     if thing.mass is not None:

@@ -107,6 +107,11 @@ class Object(Fields):
     heights: Heights | None = Field(
         default=None, description="heights of an object that is no prism"
     )
+    hollow: bool | None = Field(
+        default=None,
+        description="the underside may be hollow: the object may rest on its rim alone; default: "
+        "of an object of a scene, whose underside no camera saw",
+    )
     spacing: Positive | None = Field(
         default=None, description="distance between contact points [m]"
     )

@@ -84,6 +84,7 @@ def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
         "scene": None,
         "polygon": rows_of(thing.outline),
         "thickness": task.object.thickness or thing.thickness,
+        "hollow": task.object.hollow is not False,
         "pose": shapes.PlanarPose(**scenes.planar_pose(support.X_WS, thing.X_WO)),
     }
     of_support = {
