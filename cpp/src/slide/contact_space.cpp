@@ -6,6 +6,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "slide/hand_frames.hpp"
 #include "slide/rows.hpp"
 
 namespace graspless::slide {
@@ -16,6 +17,7 @@ namespace {
 
 // Part of each tolerance is reserved for the straight motions between projected configurations.
 constexpr double kPitchPlay = 2e-3;  // [rad]
+constexpr double kColumns = 0.0055;  // by which columns may be higher than a level face [m]
 
 /// A pose out of reach, for an object whose pose is not known yet.
 Eigen::Isometry3d parked() {
@@ -56,12 +58,17 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       object_body_(scene_.world().body(kObjectBody)),
       q_(arm.open()),
       projection_(make_projection()) {
-  // The bands limit the depth of the sliding finger, so its contacts with object and support need
-  // no test here. check() tests them.
+  // The bands limit the depth of the sliding finger, so its contacts with support and prisms need
+  // no test here. check() tests them. Other objects may have walls beside the finger.
+  const double deepest =
+      depth_band(problem.hand, options).max + allowed_sink(problem.hand) + kHeightTolerance;
   for (const std::string& link : problem.hand.sliding_finger) {
     const int body = scene_.link_body(problem.robot.frame(link));
     if (body < 0) continue;
-    scene_.world().remove_pair(body, object_body_);
+    if (problem.object.heights())
+      scene_.world().allow_contact(body, object_body_, normal_W_, deepest + kColumns);
+    else
+      scene_.world().remove_pair(body, object_body_);
     scene_.world().remove_pair(body, scene_.world().body(kSupportBody));
   }
   scene_.move_object(object_body_, parked());

@@ -124,7 +124,7 @@ std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::M
   for (const auto& p : points.colwise()) {
     poll();
     const auto [least, largest] = map.range_near(p, kLevelRadius);
-    if (least > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
+    if (map.at(p) > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
   }
   std::sort(level.begin(), level.end());
   std::optional<double> height;
@@ -273,6 +273,7 @@ Object Object::with_hollow(bool is_hollow) const {
 
 bool Object::has_face_at(const Eigen::Vector2d& p_O, double radius) const {
   if (!heights_) return true;
+  if (heights_->at(p_O) == 0) return false;  // in a hole
   const auto [least, largest] = heights_->range_near(p_O, radius);
   return std::max(face_height_ - least, largest - face_height_) <= kLevel;
 }

@@ -66,8 +66,8 @@ class GRASPLESS_API Object {
   /// Height of the face on which a finger presses [m]: the thickness of a prism. With heights, that
   /// of the level part of the top that has the most points(), or the thickness if nothing is level.
   double top() const { return face_height_; }
-  /// True if all that is within `radius` of a point is as high as that face, within 2.5 mm. So is
-  /// a prism everywhere.
+  /// True if the object has heights at a point, and all that is within `radius` of it is as high as
+  /// that face, within 2.5 mm. So is a prism everywhere.
   bool has_face_at(const Eigen::Vector2d& p_O, double radius) const;
   /// Largest height within `radius` of a point [m]: the thickness of a prism.
   double height_near(const Eigen::Vector2d& p_O, double radius) const;

@@ -145,15 +145,27 @@ void Examination::check_face(const Eigen::Vector2d& contact_O) {
   constexpr double kLevel = 0.003, kStep = 0.001;  // [m]
   const auto& map = problem_.object.heights();
   if (!map) return;
-  const double reach = problem_.hand.pad_width / 2;
+  const double top = problem_.object.top(), reach = problem_.hand.pad_width / 2;
+  bool is_on_face = false;
+  for (const double x : {-kStep, 0.0, kStep}) {
+    for (const double y : {-kStep, 0.0, kStep}) {
+      const double height = map->at(contact_O + Eigen::Vector2d(x, y));
+      is_on_face = is_on_face || (height > 0 && std::abs(height - top) <= kLevel);
+    }
+  }
+  if (!is_on_face) {
+    fault("slide", "the object is " + figure(map->at(contact_O)) + " m high at the contact, not " +
+                       figure(top) + " m");
+    return;
+  }
   for (double x = -reach; x <= reach; x += kStep) {
     poll();
     for (double y = -reach; y <= reach; y += kStep) {
       const double height = map->at(contact_O + Eigen::Vector2d(x, y));
       if (height == 0 || std::hypot(x, y) > reach - map->cell) continue;
-      if (std::abs(height - problem_.object.top()) <= kLevel) continue;
+      if (std::abs(height - top) <= kLevel) continue;
       fault("slide", "the object is " + figure(height) + " m high beside the contact, not " +
-                         figure(problem_.object.top()) + " m");
+                         figure(top) + " m");
       return;
     }
   }
