@@ -220,7 +220,7 @@ class Examination {
 
   /// The contacts lie on faces that are opposite each other.
   void check_contacts() {
-    if (plan_.friction > options_.friction)
+    if (!(plan_.friction >= 0 && plan_.friction <= options_.friction))
       fault("plan", "needs a coefficient of friction of " + figure(plan_.friction));
     if (std::abs(contact(1).z() - contact(0).z()) > kSame)
       fault("plan", "the contacts are not equally high");

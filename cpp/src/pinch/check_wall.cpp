@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "graspless/watch.hpp"
+
 #include "pinch/check_contacts.hpp"
 
 namespace graspless::pinch {
@@ -50,8 +52,9 @@ class WallExamination {
   }
 
   std::vector<std::string> run() {
-    if (!(width_ > 0)) {
-      fault("both contacts are the same");
+    const std::string misplaced = why_misplaced();
+    if (!misplaced.empty()) {
+      fault(misplaced);
       return faults_;
     }
     std::vector<double> u;
@@ -70,6 +73,10 @@ class WallExamination {
       friction = std::max(friction, std::hypot(slope, lean));
       rise = std::max({rise, hidden(side), options_.patch * (lean - kUprightFace) / kFlatter});
     }
+    // A face leans by half a cell more or less, over the height that is measured.
+    const double measured = kMeasured + map_.cell / (2 * options_.patch);
+    if (std::atan(plan_.friction) < std::atan(friction) - measured)
+      fault("friction must be at least the " + figure(friction) + " that its slopes need");
     check_mass(friction, std::min(rise, options_.patch));
     return faults_;
   }
@@ -82,10 +89,19 @@ class WallExamination {
     return out.str();
   }
 
+  /// Why there is no wall to look at between the contacts; empty if there may be one.
+  std::string why_misplaced() const {
+    if (!(width_ > 0)) return "both contacts are the same";
+    if (!(height_ > kEqual)) return "the contacts are not above the support";
+    const double widest = map_.cell * std::hypot(map_.heights.rows(), map_.heights.cols());
+    return width_ <= widest ? "" : "the contacts are farther apart than the object is wide";
+  }
+
   double height_at(double u, double v) const { return map_.at(middle_ + u * along_ + v * across_); }
 
   /// Looks for the highest place between the contacts, and walks from there to both sides.
   Crossing crossing(double u) const {
+    poll();
     const double step = map_.cell / 8;
     double highest = 0, from = 0;
     for (double v = -width_ / 2; v <= width_ / 2; v += step) {

@@ -253,6 +253,17 @@ TEST(RimPinch, EditedPlansAreAtFault) {
   EXPECT_NE(fault_of([](Plan& p) { p.contacts_O.row(2).array() += 0.02; }).find("wall"),
             std::string::npos);
   EXPECT_NE(fault_of([](Plan& p) { p.contacts_O.col(1) = p.contacts_O.col(0); }), "");
+  for (const double height : {0.0, -0.01}) {  // where the plane and all around is as high
+    EXPECT_NE(fault_of([&](Plan& p) {
+                p.contacts_O.row(2).setConstant(height);
+              }).find("not above the support"),
+              std::string::npos);
+  }
+  EXPECT_NE(fault_of([](Plan& p) { p.contacts_O(0, 0) += 1e9; }).find("farther apart"),
+            std::string::npos);
+  for (const double friction : {-1.0, std::nan(""), 1e9})
+    EXPECT_NE(fault_of([&](Plan& p) { p.friction = friction; }).find("friction"),
+              std::string::npos);
   EXPECT_NE(fault_of([](Plan& p) {
               const Vector3d out = (p.contacts_O.col(1) - p.contacts_O.col(0)).normalized();
               p.contacts_O.colwise() += 0.01 * out;
@@ -263,6 +274,22 @@ TEST(RimPinch, EditedPlansAreAtFault) {
               p.segments[2].object_poses.push_back(p.segments[2].object_poses.back());
             })
                 .find("collision"),
+            std::string::npos);
+}
+
+/// Friction that the slopes need does not hold the object, too.
+TEST(RimPinch, APlanOnALeaningWallNeedsFriction) {
+  Cup cup;
+  cup.lean = 0.25;
+  cup.height = 0.1;
+  const Problem problem = with_cup(cup, 0.02);
+  Options options;
+  options.patch = 0.016;
+  Plan found = pinch::plan(problem, options);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(all(check(problem, found, options)), "");
+  found.friction = 0;
+  EXPECT_NE(all(check(problem, found, options)).find("friction must be at least"),
             std::string::npos);
 }
 
