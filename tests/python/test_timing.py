@@ -14,6 +14,7 @@ from graspless import TaskError, fingertip, robot, slide
 from graspless.errors import install_command
 from graspless.robot import Robot
 from graspless.timing import rates, settings
+from graspless.timing import slide as slide_timing
 from timing_common import planned, timed
 
 ARMS = ["slide", "clasp", "carried"]
@@ -518,3 +519,28 @@ def test_without_toppra(monkeypatch):
     monkeypatch.setattr("graspless.timing.part", part)
     with pytest.raises(TaskError, match=re.escape(f"needs toppra: {install_command('timing')}")):
         timed_with("push")
+
+
+def test_a_press_on_the_bottom_of_a_bowl_is_slow_near_the_bottom_alone(card_problem):
+    cells = 0.005 * (np.arange(32) + 0.5) - 0.08
+    away = np.hypot(*np.meshgrid(cells, cells, indexing="ij"))
+    heights = np.where(away > 0.07, np.where(away > 0.078, 0.0, 0.03), 0.004)
+    ring = np.linspace(0, 2 * np.pi, 41)[:-1]
+    outline = 0.075 * np.column_stack([np.cos(ring), np.sin(ring)])
+    card = card_problem
+    bowl = slide.Object.from_polygon("bowl", outline, 0.03)
+    bowl = bowl.with_heights(graspless.geometry.HeightMap([-0.08, -0.08], 0.005, heights))
+    assert bowl.top == pytest.approx(0.004)
+    problem = slide.Problem(card.robot, card.hand, bowl, card.support, card.X_WO_start, card.q_home)
+    plan = slide.plan(problem)
+    assert plan, plan.reason
+    press = next(segment for segment in plan.segments if segment.name == "press")
+    tips = [problem.robot.pose(problem.hand.fingertip, q)[2, 3] for q in press.positions]
+    ones = np.ones(problem.robot.dof)
+    slow = slide_timing.touch(
+        problem,
+        press,
+        settings.Settings(problem.robot, ones, ones, ones, None, rates.Rate(100), 0.0),
+    ).rows
+    assert slow.stop == len(press)
+    assert np.max(tips[slow.start + 1 :]) <= bowl.top + settings.GUARD < tips[slow.start]

@@ -51,10 +51,10 @@ def touch(problem: Problem, segment: Any, settings: Settings) -> Touch | None:
 
 
 def _heights(problem: Problem, positions: Matrix) -> Matrix:
-    """Returns the heights of the fingertip over the object's top [N] [m]; negative when pressed."""
+    """Returns the heights of the fingertip over the face that it presses on [N] [m]."""
     tips = [problem.robot.pose(problem.hand.fingertip, q)[:3, 3] for q in positions]
     X_WS = problem.support.X_WS
-    heights: Matrix = (np.array(tips) - X_WS[:3, 3]) @ X_WS[:3, 2] - problem.object.thickness
+    heights: Matrix = (np.array(tips) - X_WS[:3, 3]) @ X_WS[:3, 2] - problem.object.top
     return heights
 
 

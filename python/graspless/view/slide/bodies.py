@@ -80,7 +80,7 @@ def trail_body(shown: Film) -> Body:
     along = np.gradient(tips[:, :2], axis=0)
     along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
     across = np.column_stack([-along[:, 1], along[:, 0], np.zeros(len(along))]) * TRAIL_WIDTH / 2
-    middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.thickness + 0.002)])
+    middle = np.column_stack([tips[:, :2], np.full(len(tips), problem.object.top + 0.002)])
     ribbon = np.concatenate([middle + across, middle - across])
     n = len(tips)
     i = np.arange(n - 1)
@@ -97,7 +97,7 @@ def contact_body(shown: Film) -> Body:
     """
     rows = shown.rows("press")
     problem = shown.plan.task.problem
-    top = problem.object.thickness
+    top = problem.object.top
     if not len(rows):
         return Body("contact")
     tips_W = shown.frame(problem.hand.fingertip)[rows, :3, 3]
