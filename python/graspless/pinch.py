@@ -57,8 +57,9 @@ class Plan(AnyPlan, _core.Plan):
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
     """Plans approach, grasp and close.
 
-    The object counts as a prism over its outline. The fingers close along the support on two
-    opposite faces; the hand comes from above or from a side. Among all hand poses, those that need
+    The object counts as a prism over its outline, or is as high as its heights. The fingers close
+    along the support on two opposite faces, of the outline or of a wall of the heights; the hand
+    comes from above or from a side. Among all hand poses, those that need
     the least friction and are nearest to the centre of mass are tried first.
 
     Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises

@@ -115,8 +115,9 @@ def resume(
     A state from which no slide can go on is a status with a reason, never an exception:
 
     - off_support: the object is more than 20 mm or 10 degrees off the plane of the support.
-    - contact_lost: the fingertip is above the object, beside it, or nearer to its outline than
-      options.rim_margin; or q is too far from all configurations that press.
+    - contact_lost: the fingertip is above the object, beside it, nearer to its outline than
+      options.rim_margin, or where its heights are not level; or q is too far from all
+      configurations that press.
     - start_in_collision: something touches that should not.
 
     Parameters

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFirstBits = 8;
 constexpr std::size_t kMaxListed = 1 << 23;  // 64 MB; beyond that the grid is cleared
 constexpr std::size_t kMaxRoots = 1 << 20;
-constexpr double kSmall = 0.1;  // of a cell's side  // of a cell's side
+constexpr double kSmall = 0.1;  // of a cell's side
 
 }  // namespace
 

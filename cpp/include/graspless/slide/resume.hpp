@@ -27,9 +27,10 @@ GRASPLESS_API void validate(const Problem& problem, const Interruption& at);
 /// there.
 ///
 /// A state from which no slide can go on is a status: off_support (the object is kFlatHeight or
-/// kFlatTilt off the plane), contact_lost (the fingertip is above the object, beside it, or within
-/// options.rim_margin of its outline or options.tip_margin of the support's edge; or q is
-/// kMaxCorrection away from all configurations that press), or start_in_collision.
+/// kFlatTilt off the plane), contact_lost (the fingertip is above the object, beside it, where its
+/// heights are not level, or within options.rim_margin of its outline or options.tip_margin of the
+/// support's edge; or q is kMaxCorrection away from all configurations that press), or
+/// start_in_collision.
 GRASPLESS_API Plan resume(const Problem& problem, const Interruption& at,
                           const Options& options = {}, const planning::Budget& budget = {});
 
