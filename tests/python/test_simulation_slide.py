@@ -402,3 +402,25 @@ def test_feet_resist_turning_as_an_even_pressure_does(name):
     assert radius[0] == pytest.approx(radius[1], rel=0.05)
     rim = points_along(outline, 0.01)
     assert np.linalg.norm(np.diff(rim, axis=0), axis=1).max() < 0.01 + 1e-9
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.2])
+def test_an_object_with_heights_is_as_high_as_these(plan, factor):
+    card = plan.task.problem.object
+    low, high = card.outline.vertices.min(axis=0), card.outline.vertices.max(axis=0)
+    cell = (high - low).max() / 12
+    heights = np.random.default_rng(1).uniform(0.3, 1, (12, 12)) * card.thickness
+    heights[3:5, 4:6] = 0
+    thing = card.with_heights(geometry.HeightMap(low, cell, heights))
+    model = build_scene(changed(plan, object=thing), Variation(thickness=factor)).model
+    boxes = [
+        (model.geom_pos[i], model.geom_size[i])
+        for i in range(model.ngeom)
+        if re.fullmatch(r"object\d+", model.geom(i).name)
+    ]
+    for (i, j), height in np.ndenumerate(heights):
+        at = low + cell * (np.array([i, j]) + 0.5)
+        tops = [p[2] + s[2] for p, s in boxes if (np.abs(at - p[:2]) < s[:2]).all()]
+        assert len(tops) == (height > 0)
+        if tops:
+            assert -1e-9 <= tops[0] / factor - height <= 5e-4 + 1e-9

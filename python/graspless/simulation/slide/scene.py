@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 OBJECT, TABLE, OBSTACLE, FOOT, EDGE = "object", "table", "obstacle", "foot", "edge"
+COLUMN_STEP = 5e-4  # by which columns are higher than heights at most: a finger presses on them [m]
 
 # Collision bits. Feet, edge and pad touch in explicit pairs with their own friction.
 _ROBOT, _TABLE, _OBSTACLE, _OBJECT, _FINGER, _GRASP = 1, 2, 4, 8, 16, 32
@@ -173,7 +174,7 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
         for i, part in enumerate(thing.outline.convex_parts()):
             _mark(add_prism(spec, body, part, (0.0, thickness), name=f"{OBJECT}{i}"), OBJECT)
     else:
-        for i, placed in enumerate(thing.shapes):
+        for i, placed in enumerate(geometry.columns(thing.heights, COLUMN_STEP)):
             column = _stretched(placed, variation.thickness)
             _mark(add_placed(spec, body, column, name=f"{OBJECT}{i}"), OBJECT)
     r = settings.foot_radius
