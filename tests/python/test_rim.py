@@ -283,8 +283,20 @@ def test_a_slide_needs_a_level_part():
     stage = {k: v for k, v in task["stages"][0].items() if k != "name"} | {"robot": task["robot"]}
     rows = [[0.0022 * i] * 14 for i in range(14)]
     stage["object"]["heights"] = {"corner": [-0.07, -0.07], "cell": 0.01, "rows": rows}
-    with pytest.raises(TaskError, match="nothing to press on"):
-        graspless.plan(stage)
+    plan = graspless.plan(stage)
+    assert plan.status == slide.Status.no_start_root
+    assert "nothing to press on" in plan.reason
+
+
+def test_a_pick_of_what_is_nowhere_level_has_a_reason():
+    angles = 2 * np.pi * np.arange(24) / 24
+    foot = 0.07 * np.column_stack([np.cos(angles), np.sin(angles), 0 * angles])
+    cone = geometry.PlacedShape(geometry.Convex(np.concatenate([foot, [[0, 0, 0.03]]])))
+    picked = graspless.pick(
+        seen([cone], x=0.55, y=0.1), "object_0", "wam_t42", strategies=["slide"]
+    )
+    assert not picked
+    assert "nothing to press on" in picked.reason
 
 
 def test_a_vessel_is_put_down_again():

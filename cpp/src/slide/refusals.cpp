@@ -13,6 +13,7 @@
 
 #include "collision/overlap.hpp"
 #include "slide/hand_frames.hpp"
+#include "slide/placement.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -139,6 +140,16 @@ bool is_home_free(Query& query, Plan& plan) {
   }
   if (query.is_motion_free(home, open)) return true;
   plan.reason = "at q_home, the hand touches something while it opens";
+  return false;
+}
+
+bool can_press(const Query& query, Plan& plan) {
+  const Object& object = query.problem.object;
+  if (!object.heights() || !contact_points(query.problem, query.options).empty()) return true;
+  plan.status = Status::no_start_root;
+  plan.reason = "object '" + object.name() +
+                "' has nothing to press on: no part of its top is level within " +
+                in_mm(face_radius(query.problem.hand)) + " of a contact";
   return false;
 }
 

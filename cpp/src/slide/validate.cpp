@@ -10,8 +10,6 @@
 
 #include "slide/contact.hpp"
 #include "slide/hand_frames.hpp"
-#include "slide/placement.hpp"
-#include "slide/refusals.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -154,11 +152,6 @@ void validate(const Problem& problem, const Options& options) {
                                 "' is not thin: a slide takes a thickness of at most half the "
                                 "width, not " +
                                 std::to_string(problem.object.thickness()) + " m");
-  }
-  if (problem.object.heights() && contact_points(problem, options).empty()) {
-    throw std::invalid_argument("object '" + problem.object.name() +
-                                "' has nothing to press on: no part of its top is level within " +
-                                in_mm(face_radius(problem.hand)) + " of a contact");
   }
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
