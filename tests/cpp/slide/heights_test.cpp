@@ -173,11 +173,17 @@ TEST(SlideHeights, ResumesWhereThePlateIsLevel) {
           slide.object_poses.at(row) * Eigen::Translation3d(moved.x(), moved.y(), 0);
       const Plan rest =
           resume(problem, {slide.positions.at(row), X_WO, std::nullopt}, {}, seeded(1));
-      if (rest) EXPECT_TRUE(check(problem, rest).empty()) << check(problem, rest).front();
+      if (rest) {
+        EXPECT_TRUE(check(problem, rest).empty()) << check(problem, rest).front();
+      }
       const bool is_level = rest.reason.find("not level") == std::string::npos;
       const double least = kMiddle - radius;
-      if (away < least - 0.006) EXPECT_TRUE(is_level) << now.transpose();
-      if (away > least + 0.012) EXPECT_FALSE(is_level) << now.transpose();
+      if (away < least - 0.006) {
+        EXPECT_TRUE(is_level) << now.transpose();
+      }
+      if (away > least + 0.012) {
+        EXPECT_FALSE(is_level) << now.transpose();
+      }
       solved += static_cast<bool>(rest);
       refused += !is_level;
     }
