@@ -100,7 +100,7 @@ GROUPS: list[Column] = [
     ("Wilson 95 % [%]", lambda row: f"{100 * row['band'][0]:.0f} to {100 * row['band'][1]:.0f}"),
     *(
         (stage.replace("_", " "), lambda row, stage=stage: str(row["stages"].get(stage, 0)))
-        for stage in ("not_seen", "refused", "lost", "not_held")
+        for stage in ("turned", "not_seen", "refused", "lost", "not_held")
     ),
 ]
 OBJECTS: list[Column] = [

@@ -91,7 +91,7 @@ def _executed(thing: scenes.Placed, plan: Any) -> Row:
     is_held = not set(failures) - MADE_GOOD
     stage = "held" if is_held else "lost" if set(failures) & LOST else "not_held"
     if set(failures) - MADE_GOOD == {"dropped"} and result.measures.get("lifted"):
-        stage = "hangs"
+        stage = "turned"
     return {
         "stage": stage,
         "reason": ", ".join(failures),
