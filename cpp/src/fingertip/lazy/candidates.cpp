@@ -9,11 +9,6 @@
 #include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
-namespace {
-
-constexpr int kPolledArcs = 64;  // between two polls
-
-}  // namespace
 
 std::size_t PlacementHash::operator()(const Placement& placement) const {
   std::uint64_t hash = 0;
@@ -24,8 +19,9 @@ std::size_t PlacementHash::operator()(const Placement& placement) const {
   return static_cast<std::size_t>(hash);
 }
 
-Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds)
-    : graph_(graph), bounds_(bounds) {
+Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds,
+                       const Displacements& displacements)
+    : graph_(graph), bounds_(bounds), displacements_(displacements) {
   std::unordered_map<int, int> slot_of;
   for (int arc = 0; arc < graph.num_arcs(); ++arc) {
     poll();
@@ -34,15 +30,6 @@ Candidates::Candidates(const PoseGraph& graph, const StabilityBounds& bounds)
       const auto [entry, is_new] = slot_of.emplace(instant, static_cast<int>(instants_.size()));
       if (is_new) instants_.push_back(instant);
       slots_.push_back(entry->second);
-    }
-  }
-  displacements_.reserve(static_cast<std::size_t>(graph.locations.size()) *
-                         static_cast<std::size_t>(graph.num_arcs()));
-  for (int location = 0; location < graph.locations.size(); ++location) {
-    for (int arc = 0; arc < graph.num_arcs(); ++arc) {
-      if (arc % kPolledArcs == 0) poll();
-      const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location);
-      displacements_.push_back(is_clear ? graph.displacement(arc, location) : kInfinity);
     }
   }
 }
@@ -58,71 +45,23 @@ std::vector<int> Candidates::instants(int arc) const {
   return distinct;
 }
 
-void Candidates::reserve(std::size_t more) {
-  all_.reserve(all_.size() + more);
-  index_.reserve(all_.size() + more);
-}
-
 int Candidates::open(const Placement& placement) {
   const auto [entry, is_new] = index_.emplace(placement, size());
-  if (is_new) all_.push_back({placement});
-  return entry->second;
-}
-
-/// Displacement of the finger that moves farthest, in a P-th of an arc; infinite where one is not
-/// clear.
-double Candidates::displacement(int arc, const Placement& placement) const {
-  double reach = 0;
-  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
-  for (int i = 0; i < graph_.num_fingers; ++i) {
-    const auto location = static_cast<std::size_t>(placement[static_cast<std::size_t>(i)]);
-    reach = std::max(reach, displacements_[location * arcs + static_cast<std::size_t>(arc)]);
-  }
-  return reach;
-}
-
-/// Without the bounds, which are taken up when the candidate is part of a best route.
-double Candidates::least_cost(int arc, int c) const {
-  return displacement(arc, at(c).placement) * graph_.options.samples_per_arc;
-}
-
-Candidates::Sums Candidates::sums(int c) const {
-  if (is_looked_at(c)) return {&before_[sum_index(c)], &after_[sum_index(c)]};
-  const int arcs = graph_.num_arcs();
-  const auto poses = static_cast<std::size_t>(graph_.num_poses());
-  for (auto* values : {&some_arcs_, &some_before_, &some_after_}) values->resize(poses);
-  double *cost = some_arcs_.data(), *before = some_before_.data(), *after = some_after_.data();
-  before[0] = after[arcs] = 0;
-  for (int arc = 0; arc < arcs; ++arc) {
-    cost[arc] = least_cost(arc, c);
-    before[arc + 1] = before[arc] + cost[arc];
-  }
-  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + cost[arc];
-  return {before, after};
-}
-
-Candidates::Reach Candidates::reach(int c) const {
-  Reach reach{kInfinity, c, graph_.num_arcs(), -1};
-  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
-    const double cost = least_cost(arc, c);
-    reach.least_arc = std::min(reach.least_arc, cost);
-    if (cost < kInfinity) continue;
-    reach.first_blocked = std::min(reach.first_blocked, arc);
-    reach.last_blocked = arc;
-  }
-  return reach;
-}
-
-void Candidates::look_at(int c) {
-  if (is_looked_at(c)) return;
-  sums(c);
-  arcs_.insert(arcs_.end(), some_arcs_.begin(), some_arcs_.end() - 1);  // one less than poses
-  before_.insert(before_.end(), some_before_.begin(), some_before_.end());
-  after_.insert(after_.end(), some_after_.begin(), some_after_.end());
-  at(c).row = rows_++;
+  if (!is_new) return entry->second;
+  const int c = size(), arcs = graph_.num_arcs();
+  all_.push_back({placement});
   z_.resize(z_.size() + instants_.size(), kInfinity);
   weight_.resize(z_.size(), 1.0);
   known_.resize(z_.size(), Known::bound);
+  before_.push_back(0);
+  for (int arc = 0; arc < arcs; ++arc) {
+    arcs_.push_back(displacements_.in_part(arc, placement) * graph_.options.samples_per_arc);
+    before_.push_back(before_.back() + arcs_.back());
+  }
+  after_.resize(before_.size(), 0.0);
+  double* after = &after_[sum_index(c)];
+  for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + this->arc(c, arc);
+  return c;
 }
 
 void Candidates::set_stability(int c, int slot, double z) {
@@ -152,7 +91,8 @@ double Candidates::tighten_arc(int c, int arc, bool& changed) {
   if (is_lower || static_cast<int>(instants_.size()) < graph_.num_arcs() * samples) {
     double weight = 0;
     for (int j = 0; j < samples; ++j) weight += weight_[slot_index(c, slot(arc, j))];
-    const double now = weight < kInfinity ? displacement(arc, at(c).placement) * weight : kInfinity;
+    const double now =
+        weight < kInfinity ? displacements_.in_part(arc, at(c).placement) * weight : kInfinity;
     changed |= now != cost;
     cost = now;
   }
@@ -165,7 +105,6 @@ bool Candidates::refresh(int c) {
 }
 
 bool Candidates::update(int c) {
-  look_at(c);
   bool changed = false;
   const int arcs = graph_.num_arcs();
   double* before = &before_[sum_index(c)];
@@ -189,12 +128,8 @@ bool Candidates::update(int c) {
 }
 
 void Candidates::refresh_all() {
-  const auto arcs = static_cast<std::size_t>(graph_.num_arcs());
-  arcs_.reserve(all_.size() * arcs);
-  for (auto* values : {&before_, &after_}) values->reserve(all_.size() * (arcs + 1));
   for (int c = 0; c < size(); ++c) {
     poll();
-    look_at(c);
     refresh(c);
   }
 }
@@ -209,7 +144,6 @@ void Candidates::keep_inner_arcs() {
 }
 
 bool Candidates::request(int c, int first_arc, int last_arc, std::vector<StabilityQuery>& queries) {
-  look_at(c);
   std::vector<int> open;
   bool any = false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
@@ -235,7 +169,6 @@ bool Candidates::request(int c, int first_arc, int last_arc, std::vector<Stabili
 }
 
 bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
-  if (at(c).row < 0) return false;
   for (int arc = first_arc; arc < last_arc; ++arc) {
     for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
       if (known_[slot_index(c, slot(arc, j))] != Known::solved) return false;
@@ -246,7 +179,6 @@ bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
 }
 
 void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& queries) {
-  look_at(c);
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
   known = Known::requested;
@@ -272,13 +204,9 @@ void Candidates::record(const StabilityQuery& query) {
   update(c);
 }
 
-std::int64_t Candidates::bytes_each(const PoseGraph& graph) {
-  return 100 + (3 * graph.num_arcs() + 2) * 8;
-}
-
 std::int64_t Candidates::memory() const {
   const auto samples = static_cast<std::int64_t>(instants_.size());
-  return size() * bytes_each(graph_) + rows_ * samples * 17;
+  return size() * (100 + samples * 17 + (3 * graph_.num_arcs() + 2) * 8);
 }
 
 }  // namespace graspless::fingertip

@@ -8,10 +8,28 @@
 
 #include "graspless/watch.hpp"
 
-namespace graspless::fingertip {
+#include "geometry/simd.hpp"
 
-Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates)
-    : graph_(graph), bounds_(bounds), candidates_(candidates) {
+namespace graspless::fingertip {
+namespace {
+
+GRASPLESS_SIMD void lower(const double* to, std::vector<double>& values) {
+  double* value = values.data();
+  const std::size_t size = values.size();
+  for (std::size_t i = 0; i < size; ++i) value[i] = to[i] < value[i] ? to[i] : value[i];
+}
+
+GRASPLESS_SIMD void raise(const double* to, std::vector<double>& values) {
+  double* value = values.data();
+  const std::size_t size = values.size();
+  for (std::size_t i = 0; i < size; ++i) value[i] = to[i] > value[i] ? to[i] : value[i];
+}
+
+}  // namespace
+
+Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds,
+           const Displacements& displacements, Candidates& candidates)
+    : graph_(graph), bounds_(bounds), displacements_(displacements), candidates_(candidates) {
   std::unordered_map<int, int> slot_of;
   for (int pose = 0; pose < graph.num_poses(); ++pose) {
     const int instant = graph.rest_instant(pose);
@@ -26,26 +44,59 @@ int Hubs::open(const Placement& kept) {
   if (is_new) {
     kept_.push_back(kept);
     members_.emplace_back();
-    ranked_.emplace_back();
     neighbors_.emplace_back();
     known_.resize(known_.size() + instants_.size(), Known::open);
-    const auto poses = static_cast<std::size_t>(graph_.num_poses());
-    least_.resize(least_.size() + poses);
-    memory_ += static_cast<std::int64_t>(poses * sizeof(Least));
   }
   return entry->second;
 }
 
-void Hubs::link() {
-  for (; linked_ < candidates_.size(); ++linked_) {
-    poll();
-    const Placement placement = candidates_.placement(linked_);
-    for (const std::int32_t location : placement) {
-      if (location < 0) break;
-      const int hub = open(without(placement, location));
-      members_[static_cast<std::size_t>(hub)].push_back(linked_);
-      compare(hub, linked_);
-    }
+void Hubs::link(const Placement& placement, int candidate) {
+  for (const std::int32_t location : placement) {
+    if (location < 0) break;
+    const auto hub = static_cast<std::size_t>(open(without(placement, location)));
+    members_[hub].push_back({location, candidate});
+    memory_ += static_cast<std::int64_t>(sizeof(Member));
+  }
+}
+
+void Hubs::unlink_all() {
+  for (std::vector<Member>& members : members_) {
+    memory_ -= static_cast<std::int64_t>(members.size() * sizeof(Member));
+    members.clear();
+  }
+}
+
+void Hubs::rank() {
+  const auto size = kept_.size() * static_cast<std::size_t>(graph_.num_poses());
+  memory_ += static_cast<std::int64_t>((size - least_.size()) * sizeof(Least));
+  least_.resize(size);
+  for (int hub = 0; hub < this->size(); ++hub) rank(hub);
+}
+
+/// Members by ascending least arc: what they cost from pose to pose is no less.
+void Hubs::rank(int hub) {
+  poll();
+  std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
+  const auto least_arc = [&](const Member& m) { return displacements_.least_arc(m.location); };
+  std::sort(members.begin(), members.end(), [&](const Member& a, const Member& b) {
+    const double least_a = least_arc(a), least_b = least_arc(b);
+    return least_a != least_b ? least_a < least_b : a.location < b.location;
+  });
+  const auto is_same = [](const Member& a, const Member& b) { return a.location == b.location; };
+  members.erase(std::unique(members.begin(), members.end(), is_same), members.end());
+  const auto poses = static_cast<std::size_t>(graph_.num_poses());
+  std::vector<double> before(poses, kInfinity), after = before;
+  for (const Member& m : members) {
+    lower(displacements_.before(m.location), before);
+    lower(displacements_.after(m.location), after);
+  }
+  for (const std::int32_t location : kept(hub)) {
+    if (location < 0) break;
+    raise(displacements_.before(location), before);
+    raise(displacements_.after(location), after);
+  }
+  for (std::size_t pose = 0; pose < poses; ++pose) {
+    least_[index(hub, static_cast<int>(pose))] = {before[pose], after[pose], -1, -1};
   }
 }
 
@@ -79,77 +130,88 @@ bool Hubs::may_be_stable(int hub, int pose) {
   return state != Known::unstable;
 }
 
+double Hubs::bound(int hub, int pose) {
+  const Least& least = least_[index(hub, pose)];
+  const double cost = least.before + least.after + graph_.options.regrasp_cost;
+  return cost < kInfinity && may_be_stable(hub, pose) ? cost : kInfinity;
+}
+
 Hubs::Regrasp Hubs::best(int hub, int pose) {
-  if (has_risen(least(hub)[pose], pose)) compare_again(hub, pose);
-  const Least& now = least(hub)[pose];
+  while (has_risen(hub, pose)) compare(hub, pose);
   Regrasp best;
-  best.before = now.first;
-  best.after = now.second;
-  const double cost = now.before + now.after + graph_.options.regrasp_cost;
-  if (cost < best.cost && may_be_stable(hub, pose)) best.cost = cost;
+  best.cost = bound(hub, pose);
+  if (best.cost == kInfinity) return best;
+  best.before = candidate(hub, least_[index(hub, pose)].first);
+  best.after = candidate(hub, least_[index(hub, pose)].second);
   return best;
 }
 
+/// The placement of the kept fingers and this one.
+int Hubs::candidate(int hub, int member) {
+  Member& m = members_[static_cast<std::size_t>(hub)][static_cast<std::size_t>(member)];
+  if (m.candidate < 0) m.candidate = candidates_.open(with(kept(hub), m.location));
+  return m.candidate;
+}
+
+/// How far the bounds let a placement come from the start, and how early it may go on to the goal.
+void Hubs::examine(const Placement& placement, Member& member) const {
+  poll();
+  const auto may_be = [&](int arc) {
+    for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
+      const auto z = static_cast<double>(bounds_.bound(graph_.instant(arc, j), placement));
+      if (z < graph_.options.min_stability) return false;
+    }
+    return displacements_.in_part(arc, placement) < kInfinity;
+  };
+  const int K = graph_.num_arcs();
+  member.comes = 0;
+  while (member.comes < K && may_be(member.comes)) ++member.comes;
+  member.goes = member.comes == K ? 0 : K;
+  while (member.goes > 0 && may_be(member.goes - 1)) --member.goes;
+}
+
 /// Of equal costs the first member's counts.
-void Hubs::compare(int hub, int c) {
-  const Candidates::Sums sums = candidates_.sums(c);
-  Least* least = this->least(hub);
-  for (int pose = 0; pose < graph_.num_poses(); ++pose) {
-    if (sums.before[pose] < least[pose].before) {
-      least[pose].before = sums.before[pose];
-      least[pose].first = c;
-    }
-    if (sums.after[pose] < least[pose].after) {
-      least[pose].after = sums.after[pose];
-      least[pose].second = c;
-    }
-  }
-}
-
-/// Members by ascending least arc: what they cost from pose to pose is no less.
-const std::vector<Candidates::Reach>& Hubs::ranked(int hub) {
-  std::vector<Candidates::Reach>& ranked = ranked_[static_cast<std::size_t>(hub)];
-  if (ranked.size() == members(hub).size()) return ranked;
-  ranked.clear();
-  ranked.reserve(members(hub).size());
-  for (const int c : members(hub)) ranked.push_back(candidates_.reach(c));
-  std::sort(ranked.begin(), ranked.end());
-  memory_ += static_cast<std::int64_t>(ranked.size() * sizeof(ranked.front()));
-  return ranked;
-}
-
-/// The same as compare() with all members, at one pose.
-void Hubs::compare_again(int hub, int pose) {
+void Hubs::compare(int hub, int pose) {
   constexpr double kRounding = 1e-9;  // of costs summed in another order
-  Least& least = this->least(hub)[pose];
-  least = Least();
-  for (const Candidates::Reach& reach : ranked(hub)) {
-    const double each = reach.least_arc * (1 - kRounding);
-    const bool may_come = each * pose <= least.before;
-    const bool may_go = each * (graph_.num_arcs() - pose) <= least.after;
-    if (!may_come && !may_go) break;
-    const bool comes = may_come && pose <= reach.first_blocked;
-    const bool goes = may_go && pose > reach.last_blocked;
-    if (!comes && !goes) continue;
-    const int c = reach.candidate;
-    const Candidates::Sums sums = candidates_.sums(c);
-    const double before = sums.before[pose], after = sums.after[pose];
-    if (before < least.before || (before == least.before && c < least.first)) {
-      least.before = before;
-      least.first = c;
-    }
-    if (after < least.after || (after == least.after && c < least.second)) {
-      least.after = after;
-      least.second = c;
-    }
+  const double arcs_before = pose * (1 - kRounding);
+  const double arcs_after = (graph_.num_arcs() - pose) * (1 - kRounding);
+  double kept_before = 0, kept_after = 0;
+  for (const std::int32_t location : kept(hub)) {
+    if (location < 0) break;
+    kept_before = std::max(kept_before, displacements_.before(location)[pose]);
+    kept_after = std::max(kept_after, displacements_.after(location)[pose]);
   }
+  Least least;
+  int i = -1;
+  for (Member& m : members_[static_cast<std::size_t>(hub)]) {
+    ++i;
+    if (m.is_examined() && pose > m.comes && pose < m.goes) continue;
+    const double each = displacements_.least_arc(m.location);
+    if (each * arcs_before > least.before && each * arcs_after > least.after) break;
+    double before = std::max(kept_before, displacements_.before(m.location)[pose]);
+    double after = std::max(kept_after, displacements_.after(m.location)[pose]);
+    if (before >= least.before && after >= least.after) continue;
+    if (!m.is_examined()) examine(with(kept(hub), m.location), m);
+    if (m.candidate >= 0) {
+      before = candidates_.before(m.candidate, pose);
+      after = candidates_.after(m.candidate, pose);
+    }
+    if (pose <= m.comes && before < least.before) least.before = before, least.first = i;
+    if (pose >= m.goes && after < least.after) least.after = after, least.second = i;
+  }
+  if (least.first >= 0) candidate(hub, least.first);
+  if (least.second >= 0) candidate(hub, least.second);
+  least_[index(hub, pose)] = least;
 }
 
 /// Costs never fall: while those of the least have not risen, no other member's is less.
-bool Hubs::has_risen(const Least& least, int pose) const {
-  const auto may_have = [&](int c) { return c >= 0 && candidates_.is_looked_at(c); };
-  return (may_have(least.first) && candidates_.before(least.first, pose) != least.before) ||
-         (may_have(least.second) && candidates_.after(least.second, pose) != least.after);
+bool Hubs::has_risen(int hub, int pose) const {
+  const Least& least = least_[index(hub, pose)];
+  if (least.before == kInfinity || least.after == kInfinity) return false;
+  if (least.first < 0 || least.second < 0) return true;
+  const auto candidate = [&](int i) { return members(hub)[static_cast<std::size_t>(i)].candidate; };
+  return candidates_.before(candidate(least.first), pose) != least.before ||
+         candidates_.after(candidate(least.second), pose) != least.after;
 }
 
 bool Hubs::request(int hub, int pose, std::vector<StabilityQuery>& queries) {

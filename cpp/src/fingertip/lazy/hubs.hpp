@@ -17,15 +17,26 @@ namespace graspless::fingertip {
 /// The way in costs X_regr and the way out nothing, instead of an arc for each pair of placements.
 class Hubs {
  public:
-  Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Candidates& candidates);
+  Hubs(const PoseGraph& graph, const StabilityBounds& bounds, const Displacements& displacements,
+       Candidates& candidates);
 
-  /// Links candidates that are new since the last call to the hubs of all their subsets of one
-  /// finger less.
-  void link();
+  /// A finger that can be put down at a hub: then the placement may carry the object.
+  struct Member {
+    std::int32_t location;
+    std::int32_t candidate = -1;        // the placement; -1: not opened yet
+    std::int32_t comes = -1, goes = 0;  // the last pose it comes to, the first it goes on from
+    bool is_examined() const { return comes >= 0; }  // until then it may do both everywhere
+  };
+  /// Adds a placement to the hubs of all its subsets of one finger less.
+  void link(const Placement& placement, int candidate = -1);
+  void unlink_all();
+  /// Sorts the members, drops those linked twice, and bounds the costs at each pose by their
+  /// displacements. Needed before bound() and best().
+  void rank();
   int open(const Placement& kept);
   int size() const { return static_cast<int>(kept_.size()); }
   const Placement& kept(int hub) const { return kept_[static_cast<std::size_t>(hub)]; }
-  const std::vector<int>& members(int hub) const {  // candidates
+  const std::vector<Member>& members(int hub) const {
     return members_[static_cast<std::size_t>(hub)];
   }
 
@@ -48,29 +59,33 @@ class Hubs {
     int before = -1, after = -1;
   };
   Regrasp best(int hub, int pose);
+  /// At most its cost.
+  double bound(int hub, int pose);
 
   /// Adds the query about rest there if that is open. True if it is open, requested already or not.
   bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
   void record(const StabilityQuery& query);
 
-  std::int64_t memory() const { return memory_; }  // of neighbors and least costs
+  std::int64_t memory() const { return memory_; }  // of members, neighbors and least costs
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
  private:
   enum class Known : std::uint8_t { open, requested, stable, unstable };
-  /// The members that come to a pose, and go on from it, at the least cost, as last compared.
+  /// Least costs up to a pose and from it on, as last compared, and the members that have them.
   struct Least {
     double before = std::numeric_limits<double>::infinity(), after = before;
-    int first = -1, second = -1;
+    int first = -1, second = -1;  // -1: not known yet
   };
-  Least* least(int hub) {
-    return &least_[static_cast<std::size_t>(hub) * static_cast<std::size_t>(graph_.num_poses())];
+  std::size_t index(int hub, int pose) const {
+    return static_cast<std::size_t>(hub) * static_cast<std::size_t>(graph_.num_poses()) +
+           static_cast<std::size_t>(pose);
   }
-  void compare(int hub, int c);
-  void compare_again(int hub, int pose);
-  const std::vector<Candidates::Reach>& ranked(int hub);
-  bool has_risen(const Least& least, int pose) const;
+  void rank(int hub);
+  void examine(const Placement& placement, Member& member) const;
+  void compare(int hub, int pose);
+  bool has_risen(int hub, int pose) const;
+  int candidate(int hub, int member);
   int slot(int pose) const { return slots_[static_cast<std::size_t>(pose)]; }
   Known& known(int hub, int slot) {
     return known_[static_cast<std::size_t>(hub) * instants_.size() +
@@ -79,16 +94,15 @@ class Hubs {
 
   const PoseGraph& graph_;
   const StabilityBounds& bounds_;
-  const Candidates& candidates_;
-  int linked_ = 0;
+  const Displacements& displacements_;
+  Candidates& candidates_;
   std::int64_t memory_ = 0;
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
-  std::vector<std::vector<int>> members_;
-  std::vector<std::vector<Candidates::Reach>> ranked_;  // empty until they are asked for
-  std::vector<std::vector<Neighbor>> neighbors_;        // empty until they are asked for
-  std::vector<Known> known_;                            // hubs x slots
-  std::vector<Least> least_;                            // hubs x poses
+  std::vector<std::vector<Member>> members_;
+  std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
+  std::vector<Known> known_;                      // hubs x slots
+  std::vector<Least> least_;                      // hubs x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
 };
 

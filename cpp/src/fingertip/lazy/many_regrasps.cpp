@@ -104,9 +104,9 @@ class DpTable {
     const std::vector<double>& arrived = cell(layer, pose).arrived;
     for (int hub = 0; hub < lazy_.hubs.size(); ++hub, poll()) {
       if (lazy_.hubs.members(hub).empty() || !lazy_.hubs.may_be_stable(hub, pose)) continue;
-      for (const int c : lazy_.hubs.members(hub)) {
-        const double here = arrived[static_cast<std::size_t>(c)];
-        if (here < kInfinity) reach(layer, pose, hub, {here, c, false, layer});
+      for (const Hubs::Member& member : lazy_.hubs.members(hub)) {
+        const double here = arrived[static_cast<std::size_t>(member.candidate)];
+        if (here < kInfinity) reach(layer, pose, hub, {here, member.candidate, false, layer});
       }
     }
   }
@@ -150,7 +150,8 @@ class DpTable {
       const double here = at(hubs, hub).cost + lazy_.graph.options.regrasp_cost;
       if (here == kInfinity) continue;
       next.set_down.resize(static_cast<std::size_t>(candidates_));
-      for (const int c : lazy_.hubs.members(hub)) {
+      for (const Hubs::Member& member : lazy_.hubs.members(hub)) {
+        const int c = member.candidate;
         if (here >= cost(next, c)) continue;
         if (!is_feasible(lazy_.graph, pose, lazy_.candidates.placement(c))) continue;
         at(next.set_down, c) = {here, hub, true, layer};
@@ -195,16 +196,6 @@ class DpTable {
   std::vector<double> least_at_hub_;  // at this pose, in the layers so far
   std::vector<std::pair<double, DpState>> goals_;
 };
-
-/// Placements that can carry the object along any arc, and their hubs.
-void list_all(LazyState& lazy) {
-  lazy.candidates.keep_inner_arcs();
-  for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
-    open_all(lazy, clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc));
-  }
-  lazy.candidates.refresh_all();
-  lazy.hubs.link();
-}
 
 /// Asks what is open on the route, last place first; false when nothing is.
 bool request(LazyState& lazy, const std::vector<DpState>& states,
@@ -269,9 +260,9 @@ std::vector<Node> nodes(LazyState& lazy, const std::vector<DpState>& states) {
 }  // namespace
 
 Route search_many_regrasps(LazyState& lazy, int max_regrasps) {
-  list_all(lazy);
+  open_all(lazy);
   Route route;
-  route.lower_bound = lazy.least_displacement + 2 * lazy.graph.options.regrasp_cost;
+  route.lower_bound = lazy.displacements.least() + 2 * lazy.graph.options.regrasp_cost;
   std::vector<StabilityQuery> queries;
   bool is_counted = false;  // only where the cheapest route has too many
   while (true) {

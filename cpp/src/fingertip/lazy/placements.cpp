@@ -7,7 +7,6 @@
 
 #include "graspless/watch.hpp"
 
-#include "fingertip/lazy/growing.hpp"
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
@@ -172,22 +171,24 @@ void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
   }
 }
 
-void open_all(LazyState& lazy, const std::vector<int>& locations,
-              const std::vector<int>& instants) {
-  Growing<Placement> found;
-  for_each_placement(lazy.graph, lazy.bounds, lazy.count, locations, instants,
-                     [&](const Placement& placement) {
-                       found.push_back(placement);
-                       if (found.size() % LazyState::kWatch == 0) {
-                         lazy.watch_memory(static_cast<std::int64_t>(found.size()));
-                       }
-                       return true;
-                     });
-  lazy.watch_memory(static_cast<std::int64_t>(found.size()));
-  lazy.candidates.reserve(found.size());
-  for (const Placement& placement : found) {
+void open_all(LazyState& lazy) {
+  lazy.candidates.keep_inner_arcs();
+  for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
+    for_each_placement(lazy.graph, lazy.bounds, lazy.count,
+                       clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc),
+                       [&](const Placement& placement) {
+                         const int c = lazy.candidates.open(placement);
+                         if (static_cast<std::size_t>(c) % LazyState::kWatch == 0) {
+                           lazy.watch_memory();
+                         }
+                         return true;
+                       });
+  }
+  lazy.candidates.refresh_all();
+  lazy.hubs.unlink_all();
+  for (int c = 0; c < lazy.candidates.size(); ++c) {
     poll();
-    lazy.candidates.open(placement);
+    lazy.hubs.link(lazy.candidates.placement(c), c);
   }
 }
 

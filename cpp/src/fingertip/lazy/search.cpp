@@ -104,7 +104,6 @@ class Frontier {
     std::vector<int> instants = {all.front(), all.back(), all[all.size() / 2]};
     if (all.size() < instants.size()) instants = all;
     seed_bounds(lazy_, locations, instants);
-    sum_displacements();
     for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations, instants,
                        [&](const Placement& placement) {
                          queue_.push({least_cost_of(placement), Entry::Kind::placement,
@@ -115,7 +114,7 @@ class Frontier {
                        });
     const Options& options = lazy_.graph.options;
     if (options.max_regrasps >= 1) {
-      push({lazy_.least_displacement + options.regrasp_cost, Entry::Kind::one_regrasp});
+      push({lazy_.displacements.least() + options.regrasp_cost, Entry::Kind::one_regrasp});
     }
   }
 
@@ -130,24 +129,30 @@ class Frontier {
     }
   }
 
-  /// Lists placements that can carry the object from the start, or to the goal, and their hubs.
+  /// Lists placements that can carry the object from the start, or to the goal, at their hubs.
   void list_hubs() {
     const int K = lazy_.graph.num_arcs();
     for (const int arc : {0, K - 1}) {
       const std::vector<int> locations = clear_locations(lazy_.graph, arc, arc + 1);
       seed_bounds(lazy_, locations, lazy_.candidates.instants(arc));
-      open_all(lazy_, locations, lazy_.candidates.instants(arc));
+      std::size_t found = 0;
+      for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations,
+                         lazy_.candidates.instants(arc), [&](const Placement& placement) {
+                           lazy_.hubs.link(placement);
+                           if (++found % LazyState::kWatch == 0) lazy_.watch_memory();
+                           return true;
+                         });
     }
-    lazy_.hubs.link();
+    lazy_.hubs.rank();
     for (int pose = 1; pose < K; ++pose) {
       for (int hub = 0; hub < lazy_.hubs.size(); ++hub) {
         poll();
-        push_again({0, Entry::Kind::hub, hub, pose});
+        push({lazy_.hubs.bound(hub, pose), Entry::Kind::hub, hub, pose});
       }
     }
     const Options& options = lazy_.graph.options;
     if (options.max_regrasps >= 2) {
-      push({lazy_.least_displacement + 2 * options.regrasp_cost, Entry::Kind::more_regrasps});
+      push({lazy_.displacements.least() + 2 * options.regrasp_cost, Entry::Kind::more_regrasps});
     }
   }
 
@@ -190,22 +195,12 @@ class Frontier {
     if (entry.cost < kInfinity) queue_.push(entry);
   }
 
-  void sum_displacements() {
-    displacements_.assign(static_cast<std::size_t>(lazy_.graph.locations.size()), 0.0);
-    for (int arc = 0; arc < lazy_.graph.num_arcs(); ++arc) {
-      for (int l = 0; l < lazy_.graph.locations.size(); ++l) {
-        displacements_[static_cast<std::size_t>(l)] +=
-            lazy_.graph.displacement(arc, l) * lazy_.graph.options.samples_per_arc;
-      }
-    }
-  }
-
   /// A placement's least cost all the way, without a look at each arc.
   double least_cost_of(const Placement& placement) const {
     double longest = 0;
     for (int i = 0; i < lazy_.count; ++i) {
       const std::int32_t location = placement[static_cast<std::size_t>(i)];
-      longest = std::max(longest, displacements_[static_cast<std::size_t>(location)]);
+      longest = std::max(longest, *lazy_.displacements.after(location));
     }
     const std::vector<int>& instants = lazy_.candidates.instants();
     if (instants.size() == 1) {
@@ -219,7 +214,6 @@ class Frontier {
   LazyState& lazy_;
   std::priority_queue<Entry, Growing<Entry>> queue_;
   Growing<Placement> placements_;
-  std::vector<double> displacements_;          // of each location, all the way [m]
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
 };
 
@@ -286,7 +280,7 @@ Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
   Route route;
   if (!clock.run([&] { route = search(lazy); })) {
     lazy.cancel();
-    route = unfinished(lazy, lazy.least_displacement);
+    route = unfinished(lazy, lazy.displacements.least());
   }
   lazy.note_memory();
   share_stabilities(graph, route, evaluators);

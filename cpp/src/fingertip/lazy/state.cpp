@@ -19,18 +19,11 @@ LazyState::LazyState(const PoseGraph& graph_in, std::vector<Evaluator>& evaluato
       clock(clock_in),
       statistics(statistics_in),
       bounds(graph_in, evaluators.front().instants()),
-      candidates(graph_in, bounds),
-      hubs(graph_in, bounds, candidates),
+      displacements(graph_in),
+      candidates(graph_in, bounds, displacements),
+      hubs(graph_in, bounds, displacements, candidates),
       limit(limit_in),
-      pool_(evaluators, graph_in.options.threads) {
-  for (int arc = 0; arc < graph.num_arcs(); ++arc) {
-    double least = kInfinity;
-    for (const int location : clear_locations(graph, arc, arc + 1)) {
-      least = std::min(least, graph.displacement(arc, location));
-    }
-    least_displacement += least * graph.options.samples_per_arc;
-  }
-}
+      pool_(evaluators, graph_in.options.threads) {}
 
 void LazyState::record(const std::vector<StabilityQuery>& queries) {
   for (const StabilityQuery& query : queries) {
@@ -67,17 +60,16 @@ void LazyState::cancel() {
   solved_.clear();
 }
 
-std::int64_t LazyState::note_memory(std::int64_t more_candidates) {
+std::int64_t LazyState::note_memory() {
   constexpr std::int64_t kUnopened = 64;  // bytes of a placement in the frontier, and of its growth
-  const std::int64_t bytes = bounds.memory() + candidates.memory() + hubs.memory() +
-                             unopened * kUnopened + more_candidates * Candidates::bytes_each(graph);
+  const std::int64_t bytes =
+      bounds.memory() + candidates.memory() + hubs.memory() + unopened * kUnopened;
   statistics.memory = std::max(statistics.memory, bytes);
   return bytes;
 }
 
-void LazyState::watch_memory(std::int64_t more_candidates) {
-  const std::int64_t bytes = note_memory(more_candidates);
-  if (static_cast<double>(bytes) > graph.options.max_memory) throw std::bad_alloc();
+void LazyState::watch_memory() {
+  if (static_cast<double>(note_memory()) > graph.options.max_memory) throw std::bad_alloc();
 }
 
 std::vector<Node> nodes_of(const LazyState& lazy, int first, int second, int pose) {
@@ -109,7 +101,9 @@ Route best_solved(LazyState& lazy) {
     for (int pose = 1; pose < K; ++pose) {
       if (!lazy.hubs.is_stable(hub, pose)) continue;
       int first = -1, second = -1;
-      for (const int c : lazy.hubs.members(hub)) {
+      for (const Hubs::Member& member : lazy.hubs.members(hub)) {
+        const int c = member.candidate;
+        if (c < 0) continue;
         if (candidates.is_solved(c, 0, pose) &&
             (first < 0 || candidates.before(c, pose) < candidates.before(first, pose))) {
           first = c;

@@ -7,6 +7,7 @@
 
 #include "fingertip/lazy/bounds.hpp"
 #include "fingertip/lazy/candidates.hpp"
+#include "fingertip/lazy/displacements.hpp"
 #include "fingertip/lazy/evaluator_pool.hpp"
 #include "fingertip/lazy/hubs.hpp"
 #include "fingertip/model/pose_graph.hpp"
@@ -24,10 +25,10 @@ struct LazyState {
   void start(std::vector<StabilityQuery>& queries);  // takes them
   void record_last();                                // records the results of those before
   void finish();
-  void cancel();  // instead of finish(), when the clock has ended the search
-  std::int64_t note_memory(std::int64_t more_candidates = 0);  // of the tables, now [bytes]
+  void cancel();               // instead of finish(), when the clock has ended the search
+  std::int64_t note_memory();  // of the tables, now [bytes]
   /// Throws std::bad_alloc when the tables have outgrown Options::max_memory.
-  void watch_memory(std::int64_t more_candidates = 0);
+  void watch_memory();
 
   static constexpr std::size_t kWatch = 4096;  // placements from one memory check to the next
 
@@ -36,11 +37,11 @@ struct LazyState {
   planning::Clock& clock;
   Statistics& statistics;
   StabilityBounds bounds;
+  const Displacements displacements;
   Candidates candidates;
   Hubs hubs;
-  std::int64_t unopened = 0;      // placements that wait in the queue
-  double least_displacement = 0;  // no route costs less, whatever its placements [m]
-  double limit;                   // routes of this cost or more are not searched for [m]
+  std::int64_t unopened = 0;  // placements that wait in the queue
+  double limit;               // routes of this cost or more are not searched for [m]
 
  private:
   void record(const std::vector<StabilityQuery>& queries);
@@ -73,8 +74,8 @@ void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, i
 void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
                  const std::vector<int>& instants);
 
-/// Opens all placements that the bounds allow at the instants.
-void open_all(LazyState& lazy, const std::vector<int>& locations, const std::vector<int>& instants);
+/// Opens all placements that can carry the object along any arc, and links them to their hubs.
+void open_all(LazyState& lazy);
 
 /// Locations clear at all poses from `first` to `last`.
 std::vector<int> clear_locations(const PoseGraph& graph, int first, int last);

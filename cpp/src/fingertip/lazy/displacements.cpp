@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fingertip/lazy/displacements.hpp"
+
+#include <algorithm>
+
+#include "graspless/watch.hpp"
+
+namespace graspless::fingertip {
+
+Displacements::Displacements(const PoseGraph& graph)
+    : arcs_(static_cast<std::size_t>(graph.num_arcs())) {
+  const auto locations = static_cast<std::size_t>(graph.locations.size());
+  parts_.reserve(locations * arcs_);
+  before_.assign(locations * (arcs_ + 1), 0.0);
+  after_ = before_;
+  for (int location = 0; location < graph.locations.size(); ++location) add(graph, location);
+  for (std::size_t arc = 0; arc < arcs_; ++arc) {
+    double least = kInfinity;
+    for (std::size_t l = 0; l < locations; ++l) least = std::min(least, parts_[l * arcs_ + arc]);
+    least_ += least * graph.options.samples_per_arc;
+  }
+}
+
+void Displacements::add(const PoseGraph& graph, int location) {
+  poll();
+  const std::size_t first = parts_.size();
+  const int P = graph.options.samples_per_arc;
+  double* before = &before_[index(location)];
+  double* after = &after_[index(location)];
+  double least = kInfinity;
+  for (std::size_t i = 0; i < arcs_; ++i) {
+    const int arc = static_cast<int>(i);
+    const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location);
+    parts_.push_back(is_clear ? graph.displacement(arc, location) : kInfinity);
+    before[i + 1] = before[i] + parts_.back() * P;
+    least = std::min(least, parts_.back() * P);
+  }
+  for (std::size_t i = arcs_; i-- > 0;) after[i] = after[i + 1] + parts_[first + i] * P;
+  least_arcs_.push_back(least);
+}
+
+double Displacements::in_part(int arc, const Placement& placement) const {
+  double most = 0;
+  for (const std::int32_t location : placement) {
+    if (location < 0) break;
+    most = std::max(
+        most, parts_[static_cast<std::size_t>(location) * arcs_ + static_cast<std::size_t>(arc)]);
+  }
+  return most;
+}
+
+}  // namespace graspless::fingertip

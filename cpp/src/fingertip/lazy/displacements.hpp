@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "fingertip/model/pose_graph.hpp"
+
+namespace graspless::fingertip {
+
+/// Displacement of the fingertip at each location along a path [m]: the least that (9) comes to,
+/// whatever the stability. Infinite where the location is not clear.
+class Displacements {
+ public:
+  explicit Displacements(const PoseGraph& graph);
+
+  /// Of the finger that moves farthest, in a P-th of an arc.
+  double in_part(int arc, const Placement& placement) const;
+  /// From the start to each pose, and from each pose to the goal.
+  const double* before(int location) const { return &before_[index(location)]; }
+  const double* after(int location) const { return &after_[index(location)]; }
+  /// In the arc in which the location moves least.
+  double least_arc(int location) const { return least_arcs_[static_cast<std::size_t>(location)]; }
+  /// No route costs less, whatever its placements.
+  double least() const { return least_; }
+
+ private:
+  std::size_t index(int location) const { return static_cast<std::size_t>(location) * (arcs_ + 1); }
+  void add(const PoseGraph& graph, int location);
+
+  std::size_t arcs_;
+  std::vector<double> parts_;           // locations x arcs: in a P-th
+  std::vector<double> before_, after_;  // locations x poses
+  std::vector<double> least_arcs_;      // locations
+  double least_ = 0;
+};
+
+}  // namespace graspless::fingertip
