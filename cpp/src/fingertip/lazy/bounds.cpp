@@ -71,7 +71,7 @@ StabilityBounds::StabilityBounds(const PoseGraph& graph, const Instants& instant
     place(graph.rest_instant(pose), graph.X_WO(pose));
   }
   // Few instants, as in a slide, have to tell all by themselves.
-  width_ = all_.size() <= 4 ? 64 : 32;
+  width_ = all_.size() <= 4 ? 256 : 32;
   find_standing();
 }
 

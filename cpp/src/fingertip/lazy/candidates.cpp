@@ -9,6 +9,11 @@
 #include "graspless/watch.hpp"
 
 namespace graspless::fingertip {
+namespace {
+
+constexpr double kLittle = 1e-9;  // by which a stability must be below what is needed
+
+}  // namespace
 
 std::size_t PlacementHash::operator()(const Placement& placement) const {
   std::uint64_t hash = 0;
@@ -62,6 +67,17 @@ int Candidates::open(const Placement& placement) {
   double* after = &after_[sum_index(c)];
   for (int arc = arcs - 1; arc >= 0; --arc) after[arc] = after[arc + 1] + this->arc(c, arc);
   return c;
+}
+
+int Candidates::enter(const Placement& placement) {
+  const int c = open(placement);
+  at(c).is_entered = true;
+  return c;
+}
+
+bool Candidates::is_entered(const Placement& placement) const {
+  const auto entry = index_.find(placement);
+  return entry != index_.end() && at(entry->second).is_entered;
 }
 
 void Candidates::set_stability(int c, int slot, double z) {
@@ -164,8 +180,24 @@ bool Candidates::request(int c, int first_arc, int last_arc, std::vector<Stabili
                       const double za = z_[slot_index(c, a)], zb = z_[slot_index(c, b)];
                       return za != zb ? za < zb : a < b;
                     });
-  for (std::size_t i = 0; i < count; ++i) request_slot(c, open[i], queries);
+  const bool is_whole = last_arc - first_arc == graph_.num_arcs();
+  for (std::size_t i = 0; i < count; ++i) {
+    request_slot(c, open[i], queries, is_whole ? needed(c, open[i]) : 0);
+  }
   return any;
+}
+
+/// The stability at one instant below which the candidate costs more, all the way, than the best.
+double Candidates::needed(int c, int slot) const {
+  if (best_ == kInfinity) return 0;
+  double displacement = 0;
+  for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
+    for (int j = 0; j < graph_.options.samples_per_arc; ++j) {
+      if (this->slot(arc, j) == slot) displacement += displacements_.in_part(arc, placement(c));
+    }
+  }
+  const double weight = weight_[slot_index(c, slot)] + (best_ - after(c, 0)) / displacement;
+  return weight > 1 ? graph_.options.stability_weight / (weight - 1) * (1 - kLittle) : 0;
 }
 
 bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
@@ -178,7 +210,8 @@ bool Candidates::is_solved(int c, int first_arc, int last_arc) const {
   return true;
 }
 
-void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& queries) {
+void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& queries,
+                              double needed) {
   Known& known = known_[slot_index(c, slot)];
   if (known != Known::bound) return;
   known = Known::requested;
@@ -187,14 +220,17 @@ void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& quer
   query.slot = slot;
   query.instant = instants_[static_cast<std::size_t>(slot)];
   query.placement = at(c).placement;
+  query.needed = needed;
   queries.push_back(std::move(query));
 }
 
 void Candidates::record(const StabilityQuery& query) {
   const int c = query.index;
-  set_stability(c, query.slot, query.z);
-  known_[slot_index(c, query.slot)] = Known::solved;
-  ++at(c).solved;
+  const bool is_bound = query.z > 0 && query.z < query.needed;
+  const std::size_t i = slot_index(c, query.slot);
+  set_stability(c, query.slot, is_bound ? std::min(query.z, z_[i]) : query.z);
+  known_[i] = is_bound ? Known::bound : Known::solved;
+  if (!is_bound) ++at(c).solved;
   for (int arc = 0; arc < graph_.num_arcs(); ++arc) {
     double& cost = arcs_[arc_index(c, arc)];
     for (int j = 0; j < graph_.options.samples_per_arc && cost < kInfinity; ++j) {
@@ -202,6 +238,7 @@ void Candidates::record(const StabilityQuery& query) {
     }
   }
   update(c);
+  if (at(c).solved == static_cast<int>(instants_.size())) best_ = std::min(best_, after(c, 0));
 }
 
 std::int64_t Candidates::memory() const {

@@ -28,6 +28,9 @@ class Candidates {
   /// The candidate of this placement, created on first use. It costs its displacement alone until
   /// refresh().
   int open(const Placement& placement);
+  /// The same of a placement that the frontier takes up as a route all the way.
+  int enter(const Placement& placement);
+  bool is_entered(const Placement& placement) const;
   int size() const { return static_cast<int>(all_.size()); }
   const Placement& placement(int c) const { return at(c).placement; }
 
@@ -48,9 +51,12 @@ class Candidates {
   /// True if all samples of these arcs have been solved and are stable.
   bool is_solved(int c, int first_arc, int last_arc) const;
   /// Adds the query about one sample, by its place in instants(), if it is open.
-  void request_slot(int c, int slot, std::vector<StabilityQuery>& queries);
+  void request_slot(int c, int slot, std::vector<StabilityQuery>& queries, double needed = 0);
   /// Records the result of a query.
   void record(const StabilityQuery& query);
+
+  /// Least cost of a candidate that is solved all the way, so far.
+  double best() const { return best_; }
 
   /// Distinct instants of the motion, in its order.
   const std::vector<int>& instants() const { return instants_; }
@@ -63,6 +69,7 @@ class Candidates {
     Placement placement;
     std::int64_t stamp = 0;
     int solved = 0;
+    bool is_entered = false;
   };
   const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
   Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
@@ -76,6 +83,7 @@ class Candidates {
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);
   void set_stability(int c, int slot, double z);
+  double needed(int c, int slot) const;
   bool update(int c);
 
   const PoseGraph& graph_;
@@ -90,6 +98,7 @@ class Candidates {
   std::vector<double> before_, after_;  // candidates x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
   bool keeps_inner_arcs_ = false;
+  double best_ = kInfinity;
 };
 
 }  // namespace graspless::fingertip

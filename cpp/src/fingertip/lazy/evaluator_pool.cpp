@@ -97,7 +97,7 @@ void EvaluatorPool::solve_lane(std::size_t lane) {
   for (std::size_t i = lane; i < queries_->size() && !cancelled_; i += evaluators_.size()) {
     StabilityQuery& query = (*queries_)[i];
     evaluator.solver().clear_supports();
-    query.z = evaluator.stability(query.instant, query.placement);
+    query.z = evaluator.stability(query.instant, query.placement, query.needed);
     query.functionals = evaluator.solver().supports();
   }
 }

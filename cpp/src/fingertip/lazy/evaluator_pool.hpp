@@ -22,6 +22,7 @@ struct StabilityQuery {
   int slot = -1;   // which of its instants
   int instant = -1;
   Placement placement = kNoFingers;
+  double needed = 0;  // below it, an upper bound on z is enough
 
   double z = 0;
   std::vector<mechanics::Vector6d> functionals;

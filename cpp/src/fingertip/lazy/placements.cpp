@@ -22,7 +22,7 @@ constexpr std::size_t kPolledLocations = 256;  // between two polls
 class Enumeration {
  public:
   Enumeration(const PoseGraph& graph, const StabilityBounds& bounds, int count,
-              const std::vector<int>& locations, const std::vector<int>& instants,
+              const std::vector<int>& locations, const std::vector<int>& instants, float needed,
               const std::function<bool(const Placement&)>& found)
       : graph_(graph),
         bounds_(bounds),
@@ -30,7 +30,7 @@ class Enumeration {
         locations_(locations),
         instants_(instants),
         found_(found),
-        needed_(static_cast<float>(graph.options.min_stability)),
+        needed_(needed),
         used_(bounds.used(instants.front())) {
     sums_.resize(static_cast<std::size_t>(count + 1) * static_cast<std::size_t>(used_));
     best_.assign(static_cast<std::size_t>(used_), 0.0F);
@@ -59,16 +59,23 @@ class Enumeration {
     return true;
   }
 
-  // Returns true if the sums with `missing` more fingers at their best reach what is needed.
+  // Returns true if the sums with `missing` more fingers at their best reach what is needed. The
+  // functionals that refused the last placement are the first to be asked.
   bool extend(int depth, int location, int missing) {
     if (used_ == 0) return true;
     const float* h = bounds_.block(instants_.front(), location);
-    for (int i = 0; i < used_; i += kStep) {
+    const auto is_short = [&](int i) {
       Eigen::Map<Step> to(sum(depth + 1) + i);
       to = Eigen::Map<const Step>(sum(depth) + i) + Eigen::Map<const Step>(h + i);
       const Step reach =
           to + static_cast<float>(missing) * Eigen::Map<const Step>(best_.data() + i);
-      if (reach.minCoeff() < needed_) return false;
+      return reach.minCoeff() < needed_;
+    };
+    if (is_short(refused_)) return false;
+    for (int i = 0; i < used_; i += kStep) {
+      if (!is_short(i)) continue;
+      refused_ = i;
+      return false;
     }
     return true;
   }
@@ -102,6 +109,7 @@ class Enumeration {
   const std::function<bool(const Placement&)>& found_;
   const float needed_;
   const int used_;
+  int refused_ = 0;
   std::vector<float> sums_, best_;
   Placement placement_ = kNoFingers;
 };
@@ -129,8 +137,8 @@ std::vector<int> thinned(const std::vector<int>& locations, int count) {
 
 void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
                         const std::vector<int>& locations, const std::vector<int>& instants,
-                        const std::function<bool(const Placement&)>& found) {
-  Enumeration(graph, bounds, count, locations, instants, found).run();
+                        float needed, const std::function<bool(const Placement&)>& found) {
+  Enumeration(graph, bounds, count, locations, instants, needed, found).run();
 }
 
 void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
@@ -138,7 +146,7 @@ void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
   const std::vector<int> some = thinned(locations, lazy.count);
   for (const int instant : instants) {
     std::vector<Placement> left;
-    for_each_placement(lazy.graph, lazy.bounds, lazy.count, some, {instant},
+    for_each_placement(lazy.graph, lazy.bounds, lazy.count, some, {instant}, lazy.min_stability,
                        [&](const Placement& placement) {
                          left.push_back(placement);
                          return true;
@@ -176,7 +184,7 @@ void open_all(LazyState& lazy) {
   for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
     for_each_placement(lazy.graph, lazy.bounds, lazy.count,
                        clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc),
-                       [&](const Placement& placement) {
+                       lazy.min_stability, [&](const Placement& placement) {
                          const int c = lazy.candidates.open(placement);
                          if (static_cast<std::size_t>(c) % LazyState::kWatch == 0) {
                            lazy.watch_memory();

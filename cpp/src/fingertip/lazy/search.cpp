@@ -18,12 +18,12 @@
 #include "graspless/watch.hpp"
 
 #include "fingertip/lazy/growing.hpp"
+#include "fingertip/lazy/listing.hpp"
 #include "fingertip/lazy/state.hpp"
 
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kRounding = 1e-9;    // of costs summed in another order
 constexpr std::size_t kWaiting = 16;  // entries that wait for stabilities
 constexpr std::size_t kBatch = 4;     // stabilities requested together
 
@@ -32,6 +32,7 @@ struct Entry {
     candidate,     // one placement all the way
     placement,     // the same before it is a candidate, by its displacement
     hub,           // all routes with one regrasp, at this pose with these fingers kept
+    placements,    // all placements that are not listed yet
     one_regrasp,   // all routes with one regrasp
     more_regrasps  // all other routes
   };
@@ -43,13 +44,13 @@ struct Entry {
     return std::tie(other.cost, other.kind, other.index, other.pose) <
            std::tie(cost, kind, index, pose);
   }
-  bool is_stage() const { return kind >= Kind::one_regrasp; }
+  bool is_stage() const { return kind >= Kind::placements; }
 };
 
 /// Entries by ascending cost, and those that wait for stabilities.
 class Frontier {
  public:
-  explicit Frontier(LazyState& lazy) : lazy_(lazy) {}
+  explicit Frontier(LazyState& lazy) : lazy_(lazy), listing_(lazy) {}
 
   /// False if the entries that wait must be solved first, or no entry is below the limit.
   bool has_next() const {
@@ -96,36 +97,33 @@ class Frontier {
     }
   }
 
-  /// Lists placements that can carry the object all the way, as far as a few instants tell, and an
-  /// entry for routes with one regrasp.
-  void list_placements() {
-    const std::vector<int> locations = clear_locations(lazy_.graph, 0, lazy_.graph.num_arcs());
-    const std::vector<int>& all = lazy_.candidates.instants();
-    std::vector<int> instants = {all.front(), all.back(), all[all.size() / 2]};
-    if (all.size() < instants.size()) instants = all;
-    seed_bounds(lazy_, locations, instants);
-    for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations, instants,
-                       [&](const Placement& placement) {
-                         queue_.push({least_cost_of(placement), Entry::Kind::placement,
-                                      static_cast<int>(placements_.size())});
-                         placements_.push_back(placement);
-                         if (++lazy_.unopened % LazyState::kWatch == 0) lazy_.watch_memory();
-                         return true;
-                       });
+  /// Enters all placements, and all routes with one regrasp.
+  void begin() {
+    push({listing_.least_cost(), Entry::Kind::placements});
     const Options& options = lazy_.graph.options;
     if (options.max_regrasps >= 1) {
       push({lazy_.displacements.least() + options.regrasp_cost, Entry::Kind::one_regrasp});
     }
   }
 
+  /// Lists some of the placements that can carry the object all the way.
+  void list_placements() {
+    listing_.next([&](const Placement& placement, double cost) {
+      push({cost, Entry::Kind::placement, static_cast<int>(placements_.size())});
+      placements_.push_back(placement);
+      if (++lazy_.unopened % LazyState::kWatch == 0) lazy_.watch_memory();
+    });
+    push({listing_.least_cost(), Entry::Kind::placements});
+  }
+
   void open(Entry entry) {
     const Placement& placement = placements_[static_cast<std::size_t>(entry.index)];
-    const double now = least_cost_of(placement);
+    const double now = listing_.cost(placement);
     if (now > entry.cost) {
       entry.cost = now;
       push(entry);
     } else {
-      push_again({0, Entry::Kind::candidate, lazy_.candidates.open(placement)});
+      push_again({0, Entry::Kind::candidate, lazy_.candidates.enter(placement)});
     }
   }
 
@@ -137,7 +135,8 @@ class Frontier {
       seed_bounds(lazy_, locations, lazy_.candidates.instants(arc));
       std::size_t found = 0;
       for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations,
-                         lazy_.candidates.instants(arc), [&](const Placement& placement) {
+                         lazy_.candidates.instants(arc), lazy_.min_stability,
+                         [&](const Placement& placement) {
                            lazy_.hubs.link(placement);
                            if (++found % LazyState::kWatch == 0) lazy_.watch_memory();
                            return true;
@@ -195,23 +194,8 @@ class Frontier {
     if (entry.cost < kInfinity) queue_.push(entry);
   }
 
-  /// A placement's least cost all the way, without a look at each arc.
-  double least_cost_of(const Placement& placement) const {
-    double longest = 0;
-    for (int i = 0; i < lazy_.count; ++i) {
-      const std::int32_t location = placement[static_cast<std::size_t>(i)];
-      longest = std::max(longest, *lazy_.displacements.after(location));
-    }
-    const std::vector<int>& instants = lazy_.candidates.instants();
-    if (instants.size() == 1) {
-      const auto z = static_cast<double>(lazy_.bounds.bound(instants.front(), placement));
-      if (z < lazy_.graph.options.min_stability) return kInfinity;
-      longest *= 1 + lazy_.graph.options.stability_weight / z;
-    }
-    return longest * (1 - kRounding);
-  }
-
   LazyState& lazy_;
+  Listing listing_;
   std::priority_queue<Entry, Growing<Entry>> queue_;
   Growing<Placement> placements_;
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
@@ -232,10 +216,12 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
   while (queries.size() < kBatch && frontier.has_next()) {
     poll();
     const Entry entry = frontier.pop();
-    if (entry.kind == Entry::Kind::placement) {
+    if (entry.kind == Entry::Kind::placements) {
+      frontier.list_placements();  // Figure 5(a): cost (9)
+    } else if (entry.kind == Entry::Kind::placement) {
       frontier.open(entry);  // bounded by its displacement all the way; now arc by arc
     } else if (entry.kind == Entry::Kind::one_regrasp) {
-      frontier.list_hubs();  // no route without regrasps is cheaper
+      frontier.list_hubs();  // Figure 5(b), cost (10): no route without regrasps is cheaper
     } else if (entry.kind == Entry::Kind::more_regrasps) {
       return search_many_regrasps(lazy, lazy.graph.options.max_regrasps);  // nor one with one
     } else if (frontier.tighten(entry) || frontier.cost(entry) > entry.cost) {
@@ -255,7 +241,7 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
 /// Best-first search. Other threads solve the stabilities of one round while the next is prepared.
 Route search(LazyState& lazy) {
   Frontier frontier(lazy);
-  frontier.list_placements();  // Figure 5(a): cost (9). Figure 5(b), cost (10), follows in refine()
+  frontier.begin();
   std::vector<StabilityQuery> queries;
   std::optional<Route> best = refine(lazy, frontier, queries);
   while (!best && frontier.least_cost() < lazy.limit) {

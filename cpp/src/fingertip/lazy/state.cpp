@@ -16,6 +16,7 @@ LazyState::LazyState(const PoseGraph& graph_in, std::vector<Evaluator>& evaluato
                      planning::Clock& clock_in, Statistics& statistics_in, double limit_in)
     : graph(graph_in),
       count(graph_in.num_fingers),
+      min_stability(static_cast<float>(graph_in.options.min_stability)),
       clock(clock_in),
       statistics(statistics_in),
       bounds(graph_in, evaluators.front().instants()),

@@ -33,7 +33,8 @@ struct LazyState {
   static constexpr std::size_t kWatch = 4096;  // placements from one memory check to the next
 
   const PoseGraph& graph;
-  const int count;  // of fingers
+  const int count;            // of fingers
+  const float min_stability;  // [N]
   planning::Clock& clock;
   Statistics& statistics;
   StabilityBounds bounds;
@@ -64,10 +65,10 @@ void share_stabilities(const PoseGraph& graph, const Route& route,
 Route search_many_regrasps(LazyState& lazy, int max_regrasps);
 
 /// Calls found(placement) for all placements on these locations (ascending) for which the bounds at
-/// these instants allow min_stability, in lexicographic order, until it returns false.
+/// these instants allow the stability `needed`, in lexicographic order, until it returns false.
 void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
                         const std::vector<int>& locations, const std::vector<int>& instants,
-                        const std::function<bool(const Placement&)>& found);
+                        float needed, const std::function<bool(const Placement&)>& found);
 
 /// Solves a few placements at the instants, until their functionals exclude nearly all placements
 /// that can be excluded.

@@ -57,20 +57,24 @@ void Evaluator::set(int instant, const Placement& placement) {
   solver_.set(environments_, fingers_);
 }
 
-Evaluator::Known& Evaluator::solve(int instant, const Placement& placement) {
-  const auto [entry, is_new] = known_.try_emplace({instant, placement}, Known{0, -1});
-  Known& known = entry->second;
-  if (!is_new) return known;
+Evaluator::Known Evaluator::solve(int instant, const Placement& placement, double needed) {
+  const auto entry = known_.find({instant, placement});
+  if (entry != known_.end()) return entry->second;
   set(instant, placement);
-  const Best best = solver_.best_control_modes(options_.min_stability);
-  if (!best.found || best.z < options_.min_stability) return known;
-  known = {best.z, static_cast<int>(bests_.size())};
-  bests_.push_back(best);
+  const double least = options_.min_stability;
+  const Best best = solver_.best_control_modes(std::max(least, needed));
+  if (!best.found && best.z >= least) return {best.z, -1};  // enough to know, but not all
+  Known known{0, -1};
+  if (best.found && best.z >= least) {
+    known = {best.z, static_cast<int>(bests_.size())};
+    bests_.push_back(best);
+  }
+  known_.emplace(Key{instant, placement}, known);
   return known;
 }
 
-double Evaluator::stability(int instant, const Placement& placement) {
-  return solve(instant, placement).z;
+double Evaluator::stability(int instant, const Placement& placement, double needed) {
+  return solve(instant, placement, needed).z;
 }
 
 mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<int>& fingers,

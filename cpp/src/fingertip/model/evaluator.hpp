@@ -16,8 +16,9 @@ class Evaluator {
  public:
   Evaluator(const Instants& instants, const Locations& locations, const Options& options);
 
-  /// z with the best control modes, when it is at least min_stability; else 0.
-  double stability(int instant, const Placement& placement);
+  /// z with the best control modes, when it is at least min_stability; else 0. Below `needed`, it
+  /// may be an upper bound that is below `needed`, too.
+  double stability(int instant, const Placement& placement, double needed = 0);
   /// Known already? Then as stability(), without work; else -1.
   double known(int instant, const Placement& placement) const;
   /// All of it but the binding directions: modes and commanded forces too, for fingers at these
@@ -50,7 +51,7 @@ class Evaluator {
     double z;  // 0: below min_stability
     int best;  // index into bests_; -1: none
   };
-  Known& solve(int instant, const Placement& placement);
+  Known solve(int instant, const Placement& placement, double needed = 0);
   void set(int instant, const Placement& placement);
   const Instants& instants_;
   const Locations& locations_;

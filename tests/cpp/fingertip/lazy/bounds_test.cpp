@@ -117,13 +117,13 @@ TEST(StabilityBounds, SpanWhatTheEnumerationFinds) {
   for (int i = 0; i < setting.locations.size(); i += 3) all.push_back(i);
   const int instant = setting.graph.instant(0, 0), rest = setting.graph.rest_instant(0);
   std::vector<Placement> found;
-  for_each_placement(setting.graph, setting.bounds, 2, all, {instant, rest},
+  const auto needed = static_cast<float>(setting.options.min_stability);
+  for_each_placement(setting.graph, setting.bounds, 2, all, {instant, rest}, needed,
                      [&](const Placement& placement) {
                        found.push_back(placement);
                        return true;
                      });
   std::vector<Placement> expected;
-  const auto needed = static_cast<float>(setting.options.min_stability);
   for (const int a : all) {
     for (const int b : all) {
       const Placement placement = {a, b, -1, -1};

@@ -157,6 +157,24 @@ TEST(LazySearch, CostsOfThePapersCases) {
   }
 }
 
+TEST(LazySearch, FourFingersCostWhatDijkstraCosts) {
+  for (const double max_normal_force : {3.0, 5.0, 10.0}) {
+    Problem problem = slide_case(max_normal_force, 1);
+    problem.fingers.count = 4;
+    problem.fingers.radius = 0.5;
+    Options options;
+    options.locations_per_side = 2;
+    options.samples_per_arc = 1;
+    options.max_regrasps = 0;
+    LazyInstance instance(problem, options);
+    const Route expected = instance.dijkstra();
+    const Route route = instance.fast();
+    ASSERT_TRUE(expected.found && route.found);
+    EXPECT_NEAR(route.cost, expected.cost, 1e-9);
+    EXPECT_NEAR(route.cost, cost_of(instance, route), 1e-9);
+  }
+}
+
 TEST(LazySearch, RepeatsWhateverTheThreads) {
   for (const bool has_side_wall : {false, true}) {
     const auto instance = instance_of(tumble_case(has_side_wall));
