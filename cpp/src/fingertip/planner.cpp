@@ -59,7 +59,7 @@ SearchContext::SearchContext(const Problem& problem_in, const Options& options_i
 }
 
 Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& clock,
-             Statistics& statistics, double limit) {
+             Statistics& statistics, double limit, bool needs_regrasp) {
   Evaluator& evaluator = context.evaluators.front();
   if (context.options.search != Search::fast) {
     GraphSearch settings;
@@ -67,8 +67,9 @@ Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& cl
     settings.limit = limit;
     return search_graph(graph, evaluator, settings, clock, statistics);
   }
-  return graph.is_path() ? search_fast(graph, context.evaluators, clock, statistics, limit)
-                         : search_lattice(graph, evaluator, clock, statistics);
+  return graph.is_path()
+             ? search_fast(graph, context.evaluators, clock, statistics, limit, needs_regrasp)
+             : search_lattice(graph, evaluator, clock, statistics);
 }
 
 void count(const SearchContext& context, const planning::Clock& clock, Statistics& statistics) {

@@ -31,9 +31,10 @@ struct SearchContext {
 };
 
 /// Searches a graph by the engine of the options. Routes of `limit` or more are not searched for,
-/// in a path.
+/// in a path. With `needs_regrasp`, it is known that there is none without a regrasp.
 Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& clock,
-             Statistics& statistics, double limit = std::numeric_limits<double>::infinity());
+             Statistics& statistics, double limit = std::numeric_limits<double>::infinity(),
+             bool needs_regrasp = false);
 
 /// plan() without validation and explanation.
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock);

@@ -235,7 +235,8 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
     if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
     return;
   }
-  const Route route = search(*graph, context_, clock_, statistics_, limit);
+  const bool needs_one = regrasps_rule && candidate.bound >= X_regr;
+  const Route route = search(*graph, context_, clock_, statistics_, limit, needs_one);
   candidate.bound = std::max(candidate.bound, route.lower_bound);
   if (route.is_complete && !route.found) {
     // Nothing costs less than the limit, so a route has more regrasps than the limit has room for.

@@ -38,6 +38,7 @@ void Displacements::add(const PoseGraph& graph, int location) {
   }
   for (std::size_t i = arcs_; i-- > 0;) after[i] = after[i + 1] + parts_[first + i] * P;
   least_arcs_.push_back(least);
+  least_whole_ = std::min(least_whole_, after[0]);
 }
 
 double Displacements::in_part(int arc, const Placement& placement) const {

@@ -23,6 +23,8 @@ class Displacements {
   double least_arc(int location) const { return least_arcs_[static_cast<std::size_t>(location)]; }
   /// No route costs less, whatever its placements.
   double least() const { return least_; }
+  /// No route on which some finger stays where it is costs less.
+  double least_whole() const { return least_whole_; }
 
  private:
   std::size_t index(int location) const { return static_cast<std::size_t>(location) * (arcs_ + 1); }
@@ -32,7 +34,7 @@ class Displacements {
   std::vector<double> parts_;           // locations x arcs: in a P-th
   std::vector<double> before_, after_;  // locations x poses
   std::vector<double> least_arcs_;      // locations
-  double least_ = 0;
+  double least_ = 0, least_whole_ = kInfinity;
 };
 
 }  // namespace graspless::fingertip

@@ -18,7 +18,7 @@ Listing::Listing(LazyState& lazy)
       clear_(clear_locations(lazy.graph, 0, lazy.graph.num_arcs())),
       is_one_(lazy.candidates.instants().size() == 1),
       level_(kFree),
-      least_cost_(lazy.displacements.least()) {
+      least_cost_(lazy.displacements.least_whole()) {
   const std::vector<int>& all = lazy.candidates.instants();
   instants_ = {all.front(), all.back(), all[all.size() / 2]};
   if (all.size() < instants_.size()) instants_ = all;
@@ -40,7 +40,7 @@ void Listing::next(const std::function<void(const Placement&, double)>& found) {
   if (level_ == least) {
     least_cost_ = kInfinity;
   } else if (level_ > needed()) {
-    least_cost_ = cost_at(lazy_.displacements.least(), level_);
+    least_cost_ = cost_at(lazy_.displacements.least_whole(), level_);
   } else {
     least_cost_ = lazy_.candidates.best();
   }
@@ -83,7 +83,7 @@ float Listing::greatest_bound() const {
 
 /// With less stability, a placement costs more than the best candidate.
 float Listing::needed() const {
-  const double more = lazy_.candidates.best() / lazy_.displacements.least() - 1;
+  const double more = lazy_.candidates.best() / lazy_.displacements.least_whole() - 1;
   if (!(more > 0)) return 0;
   return static_cast<float>(lazy_.graph.options.stability_weight / more * (1 - kRoundFloat));
 }

@@ -50,7 +50,7 @@ struct Entry {
 /// Entries by ascending cost, and those that wait for stabilities.
 class Frontier {
  public:
-  explicit Frontier(LazyState& lazy) : lazy_(lazy), listing_(lazy) {}
+  explicit Frontier(LazyState& lazy) : lazy_(lazy) {}
 
   /// False if the entries that wait must be solved first, or no entry is below the limit.
   bool has_next() const {
@@ -97,28 +97,28 @@ class Frontier {
     }
   }
 
-  /// Enters all placements, and all routes with one regrasp.
-  void begin() {
-    push({listing_.least_cost(), Entry::Kind::placements});
+  /// Enters all placements, unless a regrasp is needed, and all routes with regrasps.
+  void begin(bool needs_regrasp) {
+    const Displacements& displacements = lazy_.displacements;
+    if (!needs_regrasp) push({displacements.least_whole(), Entry::Kind::placements});
     const Options& options = lazy_.graph.options;
-    if (options.max_regrasps >= 1) {
-      push({lazy_.displacements.least() + options.regrasp_cost, Entry::Kind::one_regrasp});
-    }
+    if (options.max_regrasps >= 1) push({least_with_regrasps(), Entry::Kind::one_regrasp});
   }
 
   /// Lists some of the placements that can carry the object all the way.
   void list_placements() {
-    listing_.next([&](const Placement& placement, double cost) {
+    if (!listing_) listing_.emplace(lazy_);
+    listing_->next([&](const Placement& placement, double cost) {
       push({cost, Entry::Kind::placement, static_cast<int>(placements_.size())});
       placements_.push_back(placement);
       if (++lazy_.unopened % LazyState::kWatch == 0) lazy_.watch_memory();
     });
-    push({listing_.least_cost(), Entry::Kind::placements});
+    push({listing_->least_cost(), Entry::Kind::placements});
   }
 
   void open(Entry entry) {
     const Placement& placement = placements_[static_cast<std::size_t>(entry.index)];
-    const double now = listing_.cost(placement);
+    const double now = listing_->cost(placement);
     if (now > entry.cost) {
       entry.cost = now;
       push(entry);
@@ -194,8 +194,18 @@ class Frontier {
     if (entry.cost < kInfinity) queue_.push(entry);
   }
 
+  /// With one regrasp, all fingers but one stay all the way.
+  double least_with_regrasps() const {
+    const Displacements& displacements = lazy_.displacements;
+    const Options& options = lazy_.graph.options;
+    const double pieces = displacements.least();
+    const double kept = lazy_.count > 1 ? displacements.least_whole() : pieces;
+    const double one = kept + options.regrasp_cost;
+    return options.max_regrasps >= 2 ? std::min(one, pieces + 2 * options.regrasp_cost) : one;
+  }
+
   LazyState& lazy_;
-  Listing listing_;
+  std::optional<Listing> listing_;
   std::priority_queue<Entry, Growing<Entry>> queue_;
   Growing<Placement> placements_;
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
@@ -239,9 +249,9 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
 }
 
 /// Best-first search. Other threads solve the stabilities of one round while the next is prepared.
-Route search(LazyState& lazy) {
+Route search(LazyState& lazy, bool needs_regrasp) {
   Frontier frontier(lazy);
-  frontier.begin();
+  frontier.begin(needs_regrasp);
   std::vector<StabilityQuery> queries;
   std::optional<Route> best = refine(lazy, frontier, queries);
   while (!best && frontier.least_cost() < lazy.limit) {
@@ -261,10 +271,11 @@ Route search(LazyState& lazy) {
 }  // namespace
 
 Route search_fast(const PoseGraph& graph, std::vector<Evaluator>& evaluators,
-                  planning::Clock& clock, Statistics& statistics, double limit) {
+                  planning::Clock& clock, Statistics& statistics, double limit,
+                  bool needs_regrasp) {
   LazyState lazy(graph, evaluators, clock, statistics, limit);
   Route route;
-  if (!clock.run([&] { route = search(lazy); })) {
+  if (!clock.run([&] { route = search(lazy, needs_regrasp); })) {
     lazy.cancel();
     route = unfinished(lazy, lazy.displacements.least());
   }

@@ -29,8 +29,9 @@ TEST(Displacements, AddUpToTheWholePathFromEveryPose) {
       }
     }
     EXPECT_LE(displacements.least_arc(l) * K, whole);
-    EXPECT_LE(displacements.least(), whole);
+    EXPECT_LE(displacements.least_whole(), whole);
   }
+  EXPECT_LE(displacements.least(), displacements.least_whole());
 }
 
 TEST(Displacements, AreThoseOfTheFingerThatMovesFarthest) {

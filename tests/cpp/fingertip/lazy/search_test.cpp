@@ -25,11 +25,11 @@ struct LazyInstance : Instance {
 
   Route dijkstra() { return search(false); }
   Route fast(int lanes = kPoolSize, const planning::Budget& budget = {},
-             double limit = std::numeric_limits<double>::infinity()) {
+             double limit = std::numeric_limits<double>::infinity(), bool needs_regrasp = false) {
     std::vector<Evaluator> evaluators;
     for (int i = 0; i < lanes; ++i) evaluators.emplace_back(instants, locations, options);
     planning::Clock clock(budget);
-    return search_fast(graph, evaluators, clock, statistics, limit);
+    return search_fast(graph, evaluators, clock, statistics, limit, needs_regrasp);
   }
 };
 
@@ -217,6 +217,25 @@ TEST(LazySearch, LooksNoFartherThanTheLimit) {
   EXPECT_TRUE(below.is_complete);
   EXPECT_FALSE(below.found);
   EXPECT_NEAR(instance->fast(kPoolSize, {}, 117.4).cost, 117.392208834, 1e-8);
+}
+
+TEST(LazySearch, FindsTheSameWhereItKnowsThatARegraspIsNeeded) {
+  int count = 0;
+  for (unsigned seed = 1; seed <= 260; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto instance = random_instance(seed);
+    instance->options.max_regrasps = 0;
+    if (instance->fast().found) continue;
+    instance->options.max_regrasps = 3;
+    const Route expected = instance->fast();
+    const Route route = instance->fast(kPoolSize, {}, kInfinity, true);
+    EXPECT_TRUE(route.is_complete);
+    ASSERT_EQ(route.found, expected.found);
+    if (!route.found) continue;
+    EXPECT_NEAR(route.cost, expected.cost, 1e-9 * (1 + expected.cost));
+    ++count;
+  }
+  EXPECT_GT(count, 10);
 }
 
 TEST(LazySearch, ShowsThatThereIsNone) {
