@@ -55,8 +55,10 @@ TEST(Certify, ProvesPlansInWhichDenseSamplingFindsNothing) {
     proven += certificate.num_certified();
     if (!certificate) continue;
     for (const std::string& fault : check(problem, densely(problem, found, 61))) {
-      // The object's poses are those of the rows.
-      if (fault.find("follow the contact") == std::string::npos) ADD_FAILURE() << i << " " << fault;
+      // The object's poses and the warnings are those of the rows.
+      const bool is_of_rows = fault.find("follow the contact") != std::string::npos ||
+                              fault.find("warnings: the plan lacks") != std::string::npos;
+      if (!is_of_rows) ADD_FAILURE() << i << " " << fault;
     }
   }
   EXPECT_GT(edges, 1000u);

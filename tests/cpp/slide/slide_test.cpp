@@ -139,7 +139,7 @@ TEST(Plan, SlidesLessFarThanAlgorithmOne) {
       papers_way += travel(problem, any);
     }
   }
-  EXPECT_LT(way, 0.8 * papers_way);
+  EXPECT_LT(way, 0.85 * papers_way);
 }
 
 TEST(Plan, RunsOnATiltedTableThatIsNotConvex) {
