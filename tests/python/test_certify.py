@@ -74,7 +74,7 @@ def test_a_touch_between_the_rows_is_refuted(plan):
     problem, options = plan.task.problem, plan.task.options
     way = next(segment for segment in plan.segments if segment.name == "reach")
     q = 0.55 * way.positions[len(way) // 2] + 0.45 * way.positions[len(way) // 2 - 1]
-    p = problem.robot.pose(problem.hand.grasp_frame, q)[:3, 3] + [0, 0, 0.15]
+    p = problem.robot.pose(problem.hand.grasp_frame, q)[:3, 3] + [0, 0, 0.25]
     clear, touching = 1e-4, 0.2
     assert slide.check(with_ball(plan, p, clear), plan, options) == []
     while touching - clear > 1e-8:
