@@ -57,6 +57,8 @@ class Way:
         Limit of the search.
     cell : float
         Side of the cells if the object is as high as the cameras measured; 0 for a prism [m].
+    uneven : float
+        Part of the pad's length that may not bear.
     """
 
     smooth: float = 0.0
@@ -69,7 +71,8 @@ class Way:
 # The next way is tried if one finds no plan that holds. Faces of small objects come out best by one
 # outline or the other. The farther a slide goes, the nearer the hand grips to the centre of mass,
 # and the less the weight turns the object in it: 0.2 kg are lost 2 cm from the object's edge.
-FAR, NEAR_EDGE = 0.025, 0.035  # least distance from the centre of mass; least overhang [m]
+FAR = 0.025  # largest distance of the middle of the narrowest width from the edge, at first [m]
+NEAR_EDGE = 0.035  # least overhang after that [m]
 UNEVEN = 0.7  # part of the pad that does not bear: objects are not as flat as their outlines say
 SMOOTH = 0.0015
 FINE, COARSE = 0.0025, 0.005  # pixels are about 2 mm apart; boxes of coarse heights are fewer [m]
