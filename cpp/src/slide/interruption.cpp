@@ -174,10 +174,12 @@ std::optional<Retreat> find_retreat(Query& query, const Interruption& at, Plan& 
   const std::string off = why_not_flat(query.problem, X_SO);
   if (!off.empty()) return refuse(plan, Status::off_support, off);
   query.object_start = laid_flat(object, X_SO);
-  if (!is_com_inside(query.problem, query.object_start, 0)) {
+  if (!is_supported(query.problem, query.object_start, 0)) {
+    const bool tips = is_com_inside(query.problem, query.object_start, 0);
     return refuse(plan, Status::off_support,
-                  "the centre of mass is beyond the support's edge: the object falls when the "
-                  "finger leaves it");
+                  std::string("the centre of mass is beyond ") +
+                      (tips ? "the part of the rim that is on the support" : "the support's edge") +
+                      ": the object falls when the finger leaves it");
   }
   VectorXd start = within_limits(query, at.q);
   if (!query.contact.is_pressing(start)) {

@@ -114,6 +114,11 @@ bool is_com_inside(const Problem& problem, const Planar& object_S, double margin
   return problem.support.polygon().depth(com_foot(problem, object_S)) >= margin;
 }
 
+bool is_supported(const Problem& problem, const Planar& object_S, double margin) {
+  return is_com_inside(problem, object_S, margin) &&
+         (!problem.object.is_hollow() || is_held_by_rim(problem, object_S, margin));
+}
+
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S) {
   const geometry::Polygon& Q = problem.support.polygon();
   Placement result;
@@ -154,9 +159,7 @@ Placement placement(const Problem& problem, const Options& options, const Planar
     result.overhang = 0;
     result.fault = "edge not usable";
   }
-  result.com_inside = is_com_inside(problem, object_S, options.com_margin);
-  if (problem.object.is_hollow() && result.com_inside)
-    result.com_inside = is_held_by_rim(problem, object_S, options.com_margin);
+  result.com_inside = is_supported(problem, object_S, options.com_margin);
   return result;
 }
 

@@ -52,6 +52,10 @@ Eigen::Vector2d com_foot(const Problem& problem, const Planar& object_S);
 /// polygon.
 bool is_com_inside(const Problem& problem, const Planar& object_S, double margin);
 
+/// True if so it does; over a hollow underside, also inside the part of the rim that is on the
+/// support.
+GRASPLESS_API bool is_supported(const Problem& problem, const Planar& object_S, double margin);
+
 /// H_g: perpendicular to the edge in the plane of Q, with the finger plane vertical, half the
 /// object's height there above the support at the centre of P_out, moved outwards by `back` [m].
 /// `roll` 0 or 1 chooses which finger is on top.

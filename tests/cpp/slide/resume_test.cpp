@@ -347,6 +347,22 @@ TEST(Restart, SaysWhyItCannotBegin) {
   }
 }
 
+TEST(Restart, DoesNotLeaveAHollowObjectThatTipsOverACorner) {
+  Problem problem = simple_problem();
+  const geometry::Polygon& Q = problem.support.polygon();
+  const Eigen::Vector2d corner = Q.vertices().col(0);
+  const Object plate = Object::from_polygon("plate", disc(0.09, 60, {0, 0}), 0.01);
+  Eigen::Isometry3d X_SO = Eigen::Isometry3d::Identity();
+  X_SO.translation().head<2>() = corner + 0.06 * (Q.centroid() - corner).normalized();
+  const Interruption at{problem.q_home, problem.support.X_WS() * X_SO, {}};
+  problem.object = plate;
+  EXPECT_EQ(restart(problem, at, {}, seeded(1)).reason.find("centre of mass"), std::string::npos);
+  problem.object = plate.with_hollow(true);
+  const Plan anew = restart(problem, at, {}, seeded(1));
+  EXPECT_EQ(anew.status, Status::off_support) << anew.reason;
+  EXPECT_NE(anew.reason.find("the part of the rim that is on the support"), std::string::npos);
+}
+
 TEST(Restart, CheckFindsARetreatThatDragsTheObject) {
   const Problem problem = simple_problem();
   const Plan good = restart(problem, midway(), {}, seeded(1));

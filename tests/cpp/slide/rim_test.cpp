@@ -121,6 +121,55 @@ TEST(Rim, AHollowObjectIsNotSlidOverACorner) {
   EXPECT_GT(corners, 0);
 }
 
+TEST(Rim, NoWorldEndsWithTheObjectTippingOnItsRim) {
+  Problem flat = simple_problem();
+  flat.object = Object::from_polygon("plate", disc(0.09, 60, {0, 0}), 0.01).with_mass(0.3);
+  Problem hollow = flat;
+  hollow.object = flat.object.with_hollow(true);
+  Options bold;
+  bold.com_margin = 0.001;
+  int tips = 0;
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    const Plan over = plan(flat, bold, seeded(seed));
+    if (!over) continue;
+    double least = 1;
+    for (const Planar& end : course(hollow, bold, pressed_rows(hollow, over)).ends)
+      least = std::min(least, least_reach(hollow, end, com_foot(hollow, end)));
+    if (least > -0.006 && least < 0) continue;
+    const std::string told = told_by(hollow, over, bold);
+    EXPECT_EQ(told.find("friction may leave the object tipping") != std::string::npos, least < 0)
+        << seed << ", " << least << "\n"
+        << told;
+    tips += least < 0;
+    if (seed > 5) continue;
+    if (const Plan safe = plan(hollow, bold, seeded(seed))) {
+      EXPECT_EQ(told_by(hollow, safe, bold), "") << seed;
+    }
+  }
+  EXPECT_GT(tips, 0);
+}
+
+TEST(Rim, AnEndThatTipsIsALagTooLarge) {
+  Problem problem = simple_problem();
+  const Vector2d corner = problem.support.polygon().vertices().col(0),
+                 inward = (problem.support.polygon().centroid() - corner).normalized();
+  const Object plate = Object::from_polygon("plate", disc(0.09, 60, {0, 0}), 0.01);
+  Planar goal = Planar::Identity(), end = goal;
+  for (const double d : {0.03, 0.08, 0.1}) {
+    goal.translation() = corner + (d + 0.009) * inward;
+    end.translation() = corner + d * inward;
+    const Vector2d grasp = goal.translation();
+    const bool tips = least_reach(problem, end, end.translation()) < 0;
+    EXPECT_EQ(tips, d < 0.09) << d;  // by Thales, while the corner is under the plate
+    problem.object = plate;
+    EXPECT_FALSE(broken_by_lag(problem, goal, grasp, {end})) << d;
+    EXPECT_TRUE(is_supported(problem, end, 0)) << d;
+    problem.object = plate.with_hollow(true);
+    EXPECT_EQ(broken_by_lag(problem, goal, grasp, {end}).has_value(), tips) << d;
+    EXPECT_EQ(is_supported(problem, end, 0), !tips) << d;
+  }
+}
+
 /// The pad holds a plate that rests on its middle, but turns one that rests on its rim less far.
 TEST(Rim, TheTubeKnowsBothRims) {
   Problem problem = simple_problem();

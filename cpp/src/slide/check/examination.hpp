@@ -21,8 +21,9 @@
 /// the tube from the one that integrates it.
 namespace graspless::slide {
 
-constexpr double kSame = 1e-6;   // [m, rad]
-constexpr double kRound = 1e-9;  // of a band's ends [m, rad]
+constexpr double kSame = 1e-6;        // [m, rad]
+constexpr double kRimSpacing = 2e-3;  // points on a rim are that far apart, or nearer [m]
+constexpr double kRound = 1e-9;       // of a band's ends [m, rad]
 // Allowed movement and turn of the contact while the finger presses or lifts [m, rad]. The movement
 // may exceed a margin that the slide only just keeps by as much.
 constexpr double kStray = 5e-4, kStrayTurn = 1e-3;
@@ -97,7 +98,7 @@ class Examination {
     bool is_over_unusable_edge = false;
   };
   Protrusion protrusion() const;
-  void check_rim(const Eigen::Vector2d& com);
+  double held_by_rim(const Planar& X_SO, const Eigen::Vector2d& com) const;
   double highest_near(const Eigen::Vector2d& p_O, const Protrusion& out) const;
   bool is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                   const Eigen::Isometry3d& X_SO) const;

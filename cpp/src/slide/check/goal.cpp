@@ -149,21 +149,25 @@ void Examination::check_pair() {
   if (!(inside >= options_.com_margin - 1e-9)) {
     fault("goal", "the centre of mass is only " + figure(inside) + " m inside the edge");
   }
-  if (problem_.object.is_hollow()) check_rim((X_SW_ * com_W).head<2>());
+  if (!problem_.object.is_hollow()) return;
+  const double held = held_by_rim(planar(X_SW_ * plan_.X_WO_goal), (X_SW_ * com_W).head<2>());
+  if (!(held >= options_.com_margin - kRimSpacing)) {
+    fault("goal", "resting on its rim alone, the object tips: the centre of mass is only " +
+                      figure(held) + " m inside the part of it on the support");
+  }
 }
 
 /// An object that rests on its rim alone must not tip: in no direction may the whole part of the
-/// rim that is on the support end short of the centre of mass.
-void Examination::check_rim(const Eigen::Vector2d& com) {
+/// rim that is on the support end short of the centre of mass. Returns how far it goes on, at least
+/// [m]; negative if it does.
+double Examination::held_by_rim(const Planar& X_SO, const Eigen::Vector2d& com) const {
   constexpr int kDirections = 720, kPerEdge = 50;
-  constexpr double kSampled = 2e-3;  // points on the rim are that far apart, or nearer [m]
   const Eigen::Matrix2Xd& rim_O = problem_.object.outline().vertices();
-  const Planar X_SO = planar(X_SW_ * plan_.X_WO_goal);
   Points held;
   for (Eigen::Index i = 0; i < rim_O.cols(); ++i) {
     poll();
     const Eigen::Vector2d a = rim_O.col(i), side = rim_O.col((i + 1) % rim_O.cols()) - a;
-    const int count = std::max(kPerEdge, static_cast<int>(side.norm() / kSampled));
+    const int count = std::max(kPerEdge, static_cast<int>(side.norm() / kRimSpacing));
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector2d p = X_SO * Eigen::Vector2d(a + side * k / count);
       if (signed_depth(problem_.support.polygon().vertices(), p) >= 0) held.push_back(p);
@@ -177,10 +181,7 @@ void Examination::check_rim(const Eigen::Vector2d& com) {
     for (const auto& p : held) farthest = std::max(farthest, u.dot(p - com));
     least = std::min(least, farthest);
   }
-  if (!(least >= options_.com_margin - kSampled)) {
-    fault("goal", "resting on its rim alone, the object tips: the centre of mass is only " +
-                      figure(least) + " m inside the part of it on the support");
-  }
+  return least;
 }
 
 /// Largest height of the object around the middle of what sticks out, in O, as far as from there to

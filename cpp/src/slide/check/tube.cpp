@@ -77,6 +77,8 @@ void Examination::check_ends(const std::vector<Planar>& ends) {
         X_SO * Eigen::Vector2d(com_O.head<2>()) + down_S.head<2>() * (com_O.z() / -down_S.z());
     if (!(signed_depth(problem_.support.polygon().vertices(), foot) >= -kRounded)) {
       fault("tube", "friction may leave the center of mass off the support");
+    } else if (problem_.object.is_hollow() && !(held_by_rim(X_SO, foot) >= -kRimSpacing)) {
+      fault("tube", "friction may leave the object tipping on its rim");
     }
     const Eigen::Vector2d grasp_O = X_SO.inverse() * planned.center;
     if (!(signed_depth(problem_.object.outline().vertices(), grasp_O) >= least - kRounded)) {

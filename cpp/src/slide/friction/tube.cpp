@@ -248,6 +248,9 @@ std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& o
   const Lag lag = largest_lag(ends, object_goal);
   if (lag.angle > kMostLag.angle) return "the object turned by more than 5 deg";
   if (lag.position > kMostLag.position) return "the object more than 10 mm behind";
+  for (const Planar& end : ends) {
+    if (!is_supported(problem, end, 0)) return "the object tipping on its rim";
+  }
   return std::nullopt;
 }
 
