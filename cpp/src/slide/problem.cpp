@@ -267,7 +267,8 @@ Object Object::with_heights(const geometry::HeightMap& heights_O) const {
 Object Object::with_hollow(bool is_hollow) const {
   Object other = *this;
   other.is_hollow_ = is_hollow;
-  other.lever_ = is_hollow ? rim_distance(outline_, top_->middle) / mean_distance(top_->middle) : 1;
+  const double even = mean_distance(top_->middle);  // 0 of a single point
+  other.lever_ = is_hollow && even > 0 ? rim_distance(outline_, top_->middle) / even : 1;
   return other;
 }
 

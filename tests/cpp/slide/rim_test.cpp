@@ -170,6 +170,12 @@ TEST(Rim, AnEndThatTipsIsALagTooLarge) {
   }
 }
 
+TEST(Rim, ASinglePointHasNoLever) {
+  const Object plate = Object::from_polygon("plate", geometry::square(0.1), 0.01, 0.2);
+  ASSERT_EQ(plate.points().cols(), 1);
+  EXPECT_EQ(plate.with_hollow(true).lever(), 1);
+}
+
 /// The pad holds a plate that rests on its middle, but turns one that rests on its rim less far.
 TEST(Rim, TheTubeKnowsBothRims) {
   Problem problem = simple_problem();
