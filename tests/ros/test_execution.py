@@ -209,7 +209,7 @@ def test_follows_a_slide_in_closed_loop(bus):
     assert not bus.rig.heard
     arm = [trajectory for group, trajectory in bus.rig.streamed if group == "arm"]
     rows = np.array([trajectory.points[0].positions for trajectory in arm])
-    assert np.abs(np.diff(rows, axis=0)).max() < 0.2
+    assert np.abs(np.diff(rows, axis=0)).max() < 0.3  # the plan moves a joint by 2.3 rad/s
     assert not any(arm[-1].points[0].velocities)
 
 
