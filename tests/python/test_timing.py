@@ -521,17 +521,9 @@ def test_without_toppra(monkeypatch):
         timed_with("push")
 
 
-def test_a_press_on_the_bottom_of_a_bowl_is_slow_near_the_bottom_alone(card_problem):
-    cells = 0.005 * (np.arange(32) + 0.5) - 0.08
-    away = np.hypot(*np.meshgrid(cells, cells, indexing="ij"))
-    heights = np.where(away > 0.07, np.where(away > 0.078, 0.0, 0.03), 0.004)
-    ring = np.linspace(0, 2 * np.pi, 41)[:-1]
-    outline = 0.075 * np.column_stack([np.cos(ring), np.sin(ring)])
-    card = card_problem
-    bowl = slide.Object.from_polygon("bowl", outline, 0.03)
-    bowl = bowl.with_heights(graspless.geometry.HeightMap([-0.08, -0.08], 0.005, heights))
-    assert bowl.top == pytest.approx(0.004)
-    problem = slide.Problem(card.robot, card.hand, bowl, card.support, card.X_WO_start, card.q_home)
+def test_a_press_on_the_bottom_of_a_bowl_is_slow_near_the_bottom_alone(bowl_problem):
+    problem, top = bowl_problem, bowl_problem.object.top
+    assert top == pytest.approx(0.004)
     plan = slide.plan(problem)
     assert plan, plan.reason
     press = next(segment for segment in plan.segments if segment.name == "press")
@@ -543,4 +535,4 @@ def test_a_press_on_the_bottom_of_a_bowl_is_slow_near_the_bottom_alone(card_prob
         settings.Settings(problem.robot, ones, ones, ones, None, rates.Rate(100), 0.0),
     ).rows
     assert slow.stop == len(press)
-    assert np.max(tips[slow.start + 1 :]) <= bowl.top + settings.GUARD < tips[slow.start]
+    assert np.max(tips[slow.start + 1 :]) <= top + settings.GUARD < tips[slow.start]

@@ -13,7 +13,7 @@ import pytest
 
 import graspless
 from browser_common import served
-from graspless import Task, TaskError, frames, geometry, slide
+from graspless import Task, TaskError, frames, slide
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
@@ -243,21 +243,11 @@ def test_viewer_serves_until_ctrl_c(plan, tmp_path):
         time.sleep(0.5)
 
 
-def test_the_contact_on_a_bowl_is_on_its_bottom(card_problem):
-    cells = 0.005 * (np.arange(32) + 0.5) - 0.08
-    away = np.hypot(*np.meshgrid(cells, cells, indexing="ij"))
-    heights = np.where(away > 0.07, np.where(away > 0.078, 0.0, 0.03), 0.004)
-    ring = np.linspace(0, 2 * np.pi, 41)[:-1]
-    outline = 0.075 * np.column_stack([np.cos(ring), np.sin(ring)])
-    card = card_problem
-    bowl = slide.Object.from_polygon("bowl", outline, 0.03)
-    bowl = bowl.with_heights(geometry.HeightMap([-0.08, -0.08], 0.005, heights))
-    plan = slide.plan(
-        slide.Problem(card.robot, card.hand, bowl, card.support, card.X_WO_start, card.q_home)
-    )
+def test_the_contact_on_a_bowl_is_on_its_bottom(bowl_problem):
+    plan = slide.plan(bowl_problem)
     assert plan, plan.reason
     shown = film(plan)
     marked = np.concatenate([part.vertices for part in slide_bodies.contact_body(shown).parts])
-    assert np.abs(marked[:, 2] - bowl.top).max() < 0.003
+    assert np.abs(marked[:, 2] - bowl_problem.object.top).max() < 0.003
     trail = np.concatenate([part.vertices for part in slide_bodies.trail_body(shown).parts])
-    assert np.abs(trail[:, 2] - bowl.top).max() < 0.003
+    assert np.abs(trail[:, 2] - bowl_problem.object.top).max() < 0.003

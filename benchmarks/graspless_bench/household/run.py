@@ -88,10 +88,13 @@ def _executed(thing: scenes.Placed, plan: Any) -> Row:
         body = scenes.truth(thing, first.X_WO_start)
         result = chains.run(plan, Variation(), truth=body)
     failures = list(result.failures)
-    is_held = not set(failures) - MADE_GOOD
-    stage = "held" if is_held else "lost" if set(failures) & LOST else "not_held"
-    if set(failures) - MADE_GOOD == {"dropped"} and result.measures.get("lifted"):
+    serious = set(failures) - MADE_GOOD
+    if serious == {"dropped"} and result.measures.get("lifted"):
         stage = "turned"
+    elif serious:
+        stage = "lost" if set(failures) & LOST else "not_held"
+    else:
+        stage = "held"
     return {
         "stage": stage,
         "reason": ", ".join(failures),

@@ -118,9 +118,8 @@ def chain_of(
     if way.cell > 0:
         grasp["object"] = {**grasp["object"], "heights": heights_fields(wish, way.cell)}
     if strategy == "slide":
-        grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True}
-    if way.overhang is not None:
-        grasp["options"] |= {"min_overhang": way.overhang}
+        overhang = {} if way.overhang is None else {"min_overhang": way.overhang}
+        grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True, **overhang}
     return {
         "kind": "chain",
         "robot": wish.robot,

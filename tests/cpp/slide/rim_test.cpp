@@ -26,6 +26,13 @@ std::string told_by(const Problem& problem, const Plan& plan, const Options& opt
   return all;
 }
 
+/// Options of a planner that ignores lag.
+Options of_any_lag() {
+  Options options;
+  options.refuse_lag = false;
+  return options;
+}
+
 /// Least distance over which the points on an outline and on the support lie beyond `com`, in any
 /// direction [m].
 double least_reach(const Problem& problem, const Planar& object_S, const Vector2d& com) {
@@ -179,8 +186,7 @@ TEST(Rim, ASinglePointHasNoLever) {
 /// The pad holds a plate that rests on its middle, but turns one that rests on its rim less far.
 TEST(Rim, TheTubeKnowsBothRims) {
   Problem problem = simple_problem();
-  Options any;
-  any.refuse_lag = false;
+  const Options any = of_any_lag();
   int wider = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Plan found = plan(problem, any, seeded(seed));
@@ -199,8 +205,7 @@ TEST(Rim, TheTubeKnowsBothRims) {
 TEST(Rim, AnUnevenPadWidensTheTube) {
   Problem problem = simple_problem();
   problem.object = problem.object.with_mass(0.3);
-  Options any;
-  any.refuse_lag = false;
+  const Options any = of_any_lag();
   int wider = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Plan found = plan(problem, any, seeded(seed));
@@ -224,8 +229,7 @@ TEST(Rim, AnUnevenPadWidensTheTube) {
 TEST(Rim, APlanKeepsTheLagOfTheObjectSmall) {
   Problem problem = simple_problem();
   problem.object = problem.object.with_mass(0.5);
-  Options any;
-  any.refuse_lag = false;
+  const Options any = of_any_lag();
   int large = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto lag = [&](const Plan& found) {
