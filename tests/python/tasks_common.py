@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import TaskError, cli
+from graspless import TaskError, cli, robot
 
 GOOD = """\
 kind: slide
@@ -33,6 +33,20 @@ def changed(old: str, new: str, text: str = GOOD) -> str:
     """The good task with one part replaced; the part must be there once."""
     assert text.count(old) == 1, old
     return text.replace(old, new)
+
+
+def write_robot_with_mesh(folder):
+    """Writes arm.urdf, a WAM with a mesh that is drawn only; returns the path of the mesh."""
+    mesh = folder / "part.stl"
+    mesh.write_bytes(b"")
+    text = robot.builtin("wam_t42").read_text()
+    shape = f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>'
+    head, tail = text.split("<visual>", 1)
+    (folder / "arm.urdf").write_text(head + shape + tail.partition("</visual>")[2])
+    for ending in (".srdf", ".hand.yaml"):
+        source = robot.builtin("wam_t42").with_name(f"wam_t42{ending}")
+        (folder / f"arm{ending}").write_text(source.read_text())
+    return mesh
 
 
 def fault(path):

@@ -4,16 +4,18 @@
 
 import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 import graspless
 from graspless import _data, frames
 from graspless.chain.state import begins, ends
 from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying
-from tasks_common import fault, reread, run, without_clock
+from tasks_common import fault, reread, run, without_clock, write_robot_with_mesh
 
 EXAMPLES = _data.directory("examples")
 
@@ -127,6 +129,32 @@ def test_written_and_read_back(lift, tumble, tmp_path):
         again = graspless.load_plan(tmp_path / "plan.json")
         assert again.to_json() == plan.to_json()
         assert graspless.check(again) == []
+
+
+OWN = ", obstacles: [{name: lamp, box: [0.05, 0.05, 0.3], pose: {position: [0.3, 0.9, 0]}}]}"
+
+
+@pytest.mark.parametrize("obstacles", ["}", OWN])
+def test_every_stage_lists_the_meshes_that_it_reads(tmp_path, write, obstacles):
+    """The carry takes the robot, and unless it has its own the obstacles, of the stage before."""
+    mesh = write_robot_with_mesh(tmp_path)
+    post = tmp_path / "post.stl"
+    trimesh.creation.box((0.05, 0.05, 0.3)).export(post)
+    shape = (
+        f"obstacles: [{{name: post, mesh: {{file: {post}}}, pose: {{position: [0.3, -0.9, 0]}}}}]"
+    )
+    text = changed("robot: {urdf: wam_t42}", f"robot: {{urdf: {tmp_path}/arm.urdf}}")
+    text = changed("kind: slide}", f"kind: slide, {shape}}}", text)
+    plan = graspless.plan(write(changed("distance: 0.1}}", "distance: 0.1}" + obstacles, text)))
+    assert plan, plan.reason
+    slid, carried = ({Path(name) for name in stage.task.fields.files} for stage in plan.stages)
+    assert slid == {mesh, post}
+    assert carried == ({mesh} if obstacles == OWN else {mesh, post})
+    plan.save(tmp_path / "plan.json")
+    assert graspless.check(tmp_path / "plan.json") == []
+    mesh.write_bytes(b"other")
+    with pytest.raises(graspless.TaskError, match="has changed since the plan was made"):
+        graspless.load_plan(tmp_path / "plan.json")
 
 
 def test_fingers_regrasp_between_stages(tumble):

@@ -16,7 +16,7 @@ import pytest
 import graspless
 from graspless import TaskError, robot
 from graspless.tasks import meshes, xacro_process
-from tasks_common import GOOD, changed, fault, run
+from tasks_common import GOOD, changed, fault, run, write_robot_with_mesh
 
 HEAD = '<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 REFUSED = "not allowed; --trust (in Python trust=True) allows it"
@@ -210,15 +210,7 @@ def test_trust_is_asked_for_in_commands_and_calls(inside, tmp_path, capsys, is_c
 @pytest.fixture
 def document(tmp_path):
     """A plan file's fields whose robot has a mesh, and the mesh."""
-    mesh = tmp_path / "part.stl"
-    mesh.write_bytes(b"")
-    text = robot.builtin("wam_t42").read_text()
-    shape = f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>'
-    head, tail = text.split("<visual>", 1)
-    (tmp_path / "arm.urdf").write_text(head + shape + tail.partition("</visual>")[2])
-    for ending in (".srdf", ".hand.yaml"):
-        source = robot.builtin("wam_t42").with_name(f"wam_t42{ending}")
-        (tmp_path / f"arm{ending}").write_text(source.read_text())
+    mesh = write_robot_with_mesh(tmp_path)
     (tmp_path / "task.yaml").write_text(changed("urdf: wam_t42", "urdf: arm.urdf"))
     fields = json.loads(graspless.plan(tmp_path / "task.yaml").to_json())
     assert fields["task"]["files"] == {str(mesh): hashlib.sha256(b"").hexdigest()}

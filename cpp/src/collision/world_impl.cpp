@@ -116,8 +116,13 @@ bool World::Impl::touch(const Pair& pair) {
 }
 
 bool World::Impl::touch_by_fcl(const Pair& pair) {
-  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
-                              Witnesses&) { return fcl_touch(a, at_a, b, at_b, pair.shift_W); });
+  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
+  return any_shapes(
+      pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses&) {
+        const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
+        const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
+        return overlap(box_a, box_b, pair.shift_W) && fcl_touch(a, at_a, b, at_b, pair.shift_W);
+      });
 }
 
 /// True if a shape of either body lies within a closed surface of the other. The bodies must not

@@ -14,7 +14,7 @@
 namespace graspless::scene {
 
 /// World in which a check() replays a plan. It shares nothing with the searches: it has bodies and
-/// pairs of its own, and calls FCL without the bounding-box tests.
+/// pairs of its own, and FCL alone decides what touches (see World::all_collisions()).
 class Replay {
  public:
   explicit Replay(const robot::Robot& robot);

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "graspless/collision/world.hpp"
 
+#include "collision/fcl_shape.hpp"
 #include "collision/shapes.hpp"
 
 namespace graspless::collision {
@@ -192,6 +195,46 @@ TEST(DistanceBounds, HoldAlongMotionsOfFineSurfaces) {
   }
   EXPECT_GT(apart, 50);
   EXPECT_GT(touching, 100);
+}
+
+/// FCL is asked about all shapes here, however far apart they are.
+TEST(AllCollisions, AreThoseOfFclForEveryTwoShapes) {
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<double> size(0.02, 0.3);
+  FclTest fcl_test;
+  int touching = 0, apart = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::array<std::vector<geometry::PlacedShape>, 2> shapes;
+    for (auto& body : shapes) {
+      body.push_back({square_tube(5, size(rng), size(rng)), random_pose(rng, 0.4)});
+      body.push_back({geometry::Capsule{0.1 * size(rng), size(rng)}, random_pose(rng, 0.4)});
+      body.push_back({dented_prism(12, size(rng), size(rng)), random_pose(rng, 0.4)});
+      for (int k = 0; k < 6; ++k)
+        body.push_back({geometry::Box{{size(rng), size(rng), size(rng)}}, random_pose(rng, 0.4)});
+    }
+    World world;
+    std::array<std::vector<CollisionShape>, 2> prepared;
+    for (const std::size_t i : {0U, 1U}) {
+      world.add_body(i == 0 ? "a" : "b", shapes[i]);
+      for (const auto& placed : shapes[i]) prepared[i].push_back(make_collision_shape(placed, "x"));
+    }
+    world.add_pair(0, 1);
+    for (int pose = 0; pose < 20; ++pose) {
+      const Isometry3d X_WA = random_pose(rng, 0.3), X_WB = random_pose(rng, 1.0);
+      world.set_pose(0, X_WA);
+      world.set_pose(1, X_WB);
+      bool expected = false;
+      for (const auto& a : prepared[0]) {
+        for (const auto& b : prepared[1])
+          expected |= fcl_test(a, X_WA * a.X_BC, b, X_WB * b.X_BC) == Touch::yes;
+      }
+      expected = expected || world.swallows(0);
+      EXPECT_EQ(!world.all_collisions().empty(), expected);
+      ++(expected ? touching : apart);
+    }
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(apart, 100);
 }
 
 TEST(DistanceBounds, SeeThroughTheHullOfAConcaveSurface) {

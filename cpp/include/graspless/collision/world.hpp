@@ -69,8 +69,8 @@ class GRASPLESS_API World {
   bool collides();
   /// Returns the first touching pair found.
   std::optional<std::pair<int, int>> first_collision();
-  /// Returns every touching pair, tested by FCL alone without the bounding-box tests. Used by
-  /// check().
+  /// Returns every touching pair. FCL alone decides, for all shapes whose boxes along the axes of W
+  /// overlap: our distance bounds have no part in it. Used by check().
   std::vector<std::pair<int, int>> all_collisions();
 
   /// Returns a lower bound on the distance of each tested pair, in the order of pairs() [m]; 0 if

@@ -9,6 +9,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/convex_hull.hpp"
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
 
@@ -161,25 +162,27 @@ void Examination::check_pair() {
 /// rim that is on the support end short of the centre of mass. Returns how far it goes on, at least
 /// [m]; negative if it does.
 double Examination::held_by_rim(const Planar& X_SO, const Eigen::Vector2d& com) const {
-  constexpr int kDirections = 720, kPerEdge = 50;
+  constexpr int kDirections = 720;
+  constexpr double kSpacing = kRimSpacing / 4;  // [m]
   const Eigen::Matrix2Xd& rim_O = problem_.object.outline().vertices();
   Points held;
   for (Eigen::Index i = 0; i < rim_O.cols(); ++i) {
     poll();
     const Eigen::Vector2d a = rim_O.col(i), side = rim_O.col((i + 1) % rim_O.cols()) - a;
-    const int count = std::max(kPerEdge, static_cast<int>(side.norm() / kRimSpacing));
+    const int count = static_cast<int>(std::ceil(side.norm() / kSpacing));
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector2d p = X_SO * Eigen::Vector2d(a + side * k / count);
       if (signed_depth(problem_.support.polygon().vertices(), p) >= 0) held.push_back(p);
     }
   }
+  if (held.empty()) return -std::numeric_limits<double>::infinity();
+  const Eigen::Matrix2Xd hull = geometry::convex_outline(Eigen::Map<const Eigen::Matrix2Xd>(
+      held.front().data(), 2, static_cast<Eigen::Index>(held.size())));
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
     const double angle = k * 2 * std::acos(-1.0) / kDirections;
     const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
-    double farthest = -std::numeric_limits<double>::infinity();
-    for (const auto& p : held) farthest = std::max(farthest, u.dot(p - com));
-    least = std::min(least, farthest);
+    least = std::min(least, (u.transpose() * (hull.colwise() - com)).maxCoeff());
   }
   return least;
 }

@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import frames
 from ..carry.model import Object
+from ..robots import robot_meshes
 from ..shapes import Pose
 from ..slide.build import outline
 from ..slide.resolve import support_pose
@@ -168,6 +169,10 @@ def _carry(fields: Any, state: State) -> Any:
         update["open"] = np.asarray(held.q_open).tolist()
     if fields.obstacles is None:
         update["obstacles"] = before.obstacles
+    taken = set(before.files)
+    if fields.obstacles is not None:
+        taken &= {str(path) for path in robot_meshes(before.robot)}
+    update["files"] = fields.files | {name: before.files[name] for name in taken}
     return fields.model_copy(update=update)
 
 
