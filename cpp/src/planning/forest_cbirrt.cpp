@@ -113,7 +113,7 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
 // The cheapest pairs of the first starts are tried first. Where obstacles are in their way, any
 // other pair is as good.
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
-  constexpr int kStarts = 200;
+  constexpr int kStarts = 500;
   if (!start_region_ && start_forest_->size() == 0) return false;
   const std::vector<int> given = start_forest_->roots();
   std::vector<Pair> pairs;  // each cheaper than those before

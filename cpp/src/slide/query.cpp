@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slide/query.hpp"
 
+#include <algorithm>
+
 namespace graspless::slide {
 namespace {
 
@@ -97,6 +99,14 @@ Eigen::VectorXd Query::draw_seed() {
 double Query::draw_free_joint() {
   const std::optional<int> joint = tip_ik.free_joint();
   return joint ? uniform(problem.robot.lower()[*joint], problem.robot.upper()[*joint]) : 0;
+}
+
+double Query::draw_free_joint(double near) {
+  constexpr double kNear = 0.5;  // [rad]
+  const std::optional<int> joint = tip_ik.free_joint();
+  if (!joint) return 0;
+  return std::clamp(near + uniform(-kNear, kNear), problem.robot.lower()[*joint],
+                    problem.robot.upper()[*joint]);
 }
 
 std::vector<Eigen::VectorXd> Query::draw_ik(const robot::Ik& ik, const Eigen::Isometry3d& X_WF,

@@ -102,6 +102,8 @@ struct GRASPLESS_API Query {
   Eigen::VectorXd draw_seed();
   /// Draws a value of the closed form's free joint; 0 for an arm without one.
   double draw_free_joint();
+  /// The same, within 0.5 rad of a value.
+  double draw_free_joint(double near);
   /// Returns the value of the free joint in a configuration of all joints; 0 without one.
   double free_joint_of(const Eigen::VectorXd& q) const {
     const std::optional<int> joint = tip_ik.free_joint();

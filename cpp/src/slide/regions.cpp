@@ -27,6 +27,13 @@ constexpr int kPatience = 100;
 // Rejections by friction, after which contacts near the centre of mass are preferred.
 constexpr int kLagPatience = 30;
 
+// Values of the arm's free joint that are tried for a start and for its partner, if it has one, and
+// the first draws have failed.
+constexpr int kFreeJoints = 5, kFreeJointsOfPartner = 3;
+
+// Goals of the object that are drawn for each start.
+constexpr int kDraws = 24;
+
 // Draws of the goal and of the edge of a slide that goes on, before those of other edges.
 constexpr int kFormer = 8, kFormerEdge = 24;
 
@@ -118,8 +125,14 @@ bool StartRegion::try_sample(ob::State* state) const {
     query_.refuse("start: off the support");
     return false;
   }
-  const auto arms =
-      presses_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  const double free_joint = query_.draw_free_joint();
+  const Eigen::VectorXd near = query_.draw_seed();
+  const double depth = draw_depth(query_);
+  std::vector<Eigen::VectorXd> arms = presses_at(query_, contact, depth, near, free_joint);
+  const bool is_hard = num_drawn_++ >= planning::ForestCBiRRT::kCompared,
+             has_more = is_hard && query_.tip_ik.free_joint();
+  for (int k = 1; arms.empty() && has_more && k < kFreeJoints; ++k)
+    arms = presses_at(query_, contact, depth, near, query_.draw_free_joint());
   if (arms.empty()) {
     query_.refuse("start: reach");
     return false;
@@ -191,10 +204,14 @@ std::optional<double> GoalRegion::try_sample_partner(const ob::State* start, ob:
   const Eigen::VectorXd near = query_.arm.full(q_start);
   const ContactSpace::Carried carried = query_.carried_from(q_start);
   const double depth = query_.top - query_.contact.tip_at(q_start).height;
+  const bool is_hard = num_drawn_ >= kDraws * planning::ForestCBiRRT::kCompared,
+             has_more = is_hard && query_.tip_ik.free_joint();
   for (const Partner& partner : draw_partners(carried, query_.free_joint_of(near))) {
     if (query_.clock.is_out() || partner.travel >= max_cost) break;
     const Planar contact = partner.object_S * carried.object_start.inverse() * carried.tip_start;
-    const auto arm = press_at(query_, contact, depth, near, partner.free_joint);
+    auto arm = press_at(query_, contact, depth, near, partner.free_joint);
+    for (int k = 1; !arm && has_more && k < kFreeJointsOfPartner; ++k)
+      arm = press_at(query_, contact, depth, near, query_.draw_free_joint(partner.free_joint));
     if (!arm) {
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
@@ -214,7 +231,6 @@ std::optional<double> GoalRegion::try_sample_partner(const ob::State* start, ob:
 /// goal, and then its former edge.
 std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::Carried& carried,
                                                            double joint_at_start) const {
-  constexpr int kDraws = 24;
   const bool near_first = num_drawn_ < kDraws * planning::ForestCBiRRT::kCompared;
   std::vector<Partner> partners;
   for (int i = 0; i < kDraws; ++i) {
@@ -259,14 +275,11 @@ std::optional<Planar> GoalRegion::draw_graspable() const {
 /// Draws the free joint of a partner: that of its start. If there is no other start, later values
 /// are near it, and then anywhere.
 double GoalRegion::draw_free_joint(double at_start) const {
-  constexpr double kNear = 0.5;  // [rad]
-  const std::optional<int> joint = query_.tip_ik.free_joint();
-  if (!joint || !has_one_start_ || num_drawn_ <= 1) return at_start;
+  if (!query_.tip_ik.free_joint() || !has_one_start_ || num_drawn_ <= 1) return at_start;
   if (num_drawn_ > kFormer + kFormerEdge && query_.uniform(0, 1) < 0.5) {
     return query_.draw_free_joint();
   }
-  return std::clamp(at_start + query_.uniform(-kNear, kNear), query_.problem.robot.lower()[*joint],
-                    query_.problem.robot.upper()[*joint]);
+  return query_.draw_free_joint(at_start);
 }
 
 bool GoalRegion::isStartGoalPairValid(const ob::State* start, const ob::State* goal) const {

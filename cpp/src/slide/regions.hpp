@@ -29,6 +29,7 @@ class GRASPLESS_API StartRegion : public planning::SampleableRegion {
   mutable std::vector<std::int32_t>
       nearest_;              ///< the same, the nearest to the centre of mass first
   mutable int refused_ = 0;  ///< draws in a row whose nearest configuration is not valid
+  mutable int num_drawn_ = 0;
 };
 
 class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
