@@ -7,9 +7,8 @@
 #include <sstream>
 #include <utility>
 
-#include "graspless/watch.hpp"
-
 #include "pinch/check_contacts.hpp"
+#include "pinch/wall_measure.hpp"
 
 namespace graspless::pinch {
 
@@ -17,23 +16,11 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kEqual = 1e-6;         // heights [m]
+constexpr double kEqual = 1e-6;         // heights [m], tangents
 constexpr double kWeight = 9.81;        // of a kilogram [N]
 constexpr double kMeasured = 0.10;      // of angles that are measured in two ways [rad]
 constexpr double kMeasuredMass = 0.15;  // relative
 constexpr double kHangs = 0.1;          // of an object that hangs from the hand [rad]
-// Tangents: a pad touches all of an upright face, and with its end one that leans so much more.
-constexpr double kUprightFace = 0.1, kFlatter = 0.2;
-constexpr double kSeenPart = 0.003;  // of the height of a cell, at least [m]
-constexpr int kLines = 33;           // across the wall
-
-/// One line across a wall, in the plane of the closing direction: where the wall ends to the side
-/// of the first and of the second contact, at their height and above them [m].
-struct Crossing {
-  bool is_wall = false;
-  std::array<double, 2> out{}, out_above{}, underside{};
-  std::array<bool, 2> is_seen{};
-};
 
 class WallExamination {
  public:
@@ -45,8 +32,7 @@ class WallExamination {
         middle_((plan.contacts_O.col(0) + plan.contacts_O.col(1)).head<2>() / 2),
         across_((plan.contacts_O.col(1) - plan.contacts_O.col(0)).head<2>()),
         width_(across_.norm()),
-        height_(plan.contacts_O(2, 0)),
-        above_(height_ + options.patch - kEqual) {
+        height_(plan.contacts_O(2, 0)) {
     across_ /= width_;
     along_ = Vector2d(across_.y(), -across_.x());
   }
@@ -57,27 +43,16 @@ class WallExamination {
       fault(misplaced);
       return faults_;
     }
-    std::vector<double> u;
-    std::vector<Crossing> lines;
-    for (int i = 0; i < kLines; ++i) {
-      u.push_back(options_.patch * (2.0 * i / (kLines - 1) - 1));
-      lines.push_back(crossing(u.back()));
-      if (!lines.back().is_wall) {
-        fault("no wall between the contacts rises " + figure(options_.patch) + " m above them");
-        return faults_;
-      }
+    const WallMeasure wall = measure_wall(map_, plan_.contacts_O, options_.patch);
+    if (!wall.is_wall) {
+      fault("no wall between the contacts rises " + figure(options_.patch) + " m above them");
+      return faults_;
     }
-    double friction = 0, rise = 0;
-    for (const std::size_t side : {0U, 1U}) {
-      const auto [slope, lean] = check_side(u, lines, side);
-      friction = std::max(friction, std::hypot(slope, lean));
-      rise = std::max({rise, hidden(side), options_.patch * (lean - kUprightFace) / kFlatter});
-    }
-    // A face leans by half a cell more or less, over the height that is measured.
-    const double measured = kMeasured + map_.cell / (2 * options_.patch);
-    if (std::atan(plan_.friction) < std::atan(friction) - measured)
+    for (const std::size_t side : {0U, 1U}) check_side(wall, side);
+    const double friction = std::max(wall.friction[0], wall.friction[1]);
+    if (!(plan_.friction >= friction - kEqual))
       fault("friction must be at least the " + figure(friction) + " that its slopes need");
-    check_mass(friction, std::min(rise, options_.patch));
+    check_mass(friction, wall.rise);
     return faults_;
   }
 
@@ -97,77 +72,15 @@ class WallExamination {
     return width_ <= widest ? "" : "the contacts are farther apart than the object is wide";
   }
 
-  double height_at(double u, double v) const { return map_.at(middle_ + u * along_ + v * across_); }
-
-  /// Looks for the highest place between the contacts, and walks from there to both sides.
-  Crossing crossing(double u) const {
-    poll();
-    const double step = map_.cell / 8;
-    double highest = 0, from = 0;
-    for (double v = -width_ / 2; v <= width_ / 2; v += step) {
-      if (height_at(u, v) > highest) {
-        highest = height_at(u, v);
-        from = v;
-      }
-    }
-    Crossing line;
-    line.is_wall = highest >= above_;
-    for (const int side : {0, 1}) {
-      const double way = side == 0 ? -step : step;
-      const auto i = static_cast<std::size_t>(side);
-      double v = from;
-      line.out_above[i] = std::abs(v);
-      for (; height_at(u, v) >= height_; v += way) {
-        if (height_at(u, v) >= above_) line.out_above[i] = side == 0 ? -v : v;
-      }
-      line.out[i] = side == 0 ? -v : v;
-      line.underside[i] = map_.underside_at(middle_ + u * along_ + (v - way) * across_);
-      line.is_seen[i] = height_at(u, v - way) > line.underside[i] + kSeenPart;
-    }
-    return line;
-  }
-
-  /// Returns the slopes of the face of a side: along the wall and upwards.
-  std::pair<double, double> check_side(const std::vector<double>& u,
-                                       const std::vector<Crossing>& lines, std::size_t side) {
-    double uu = 0, uv = 0, rise = 0, seen = 0, farthest = -1e9;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const double out = lines[i].out[side];
-      uu += u[i] * u[i], uv += u[i] * out;  // u is symmetric
-      if (lines[i].is_seen[side]) rise += out - lines[i].out_above[side], seen += 1;
-      farthest = std::max(farthest, out);
-    }
+  void check_side(const WallMeasure& wall, std::size_t side) {
     const std::string where = "contact " + std::to_string(side);
-    if (std::abs(farthest - width_ / 2) > map_.cell) {
-      faults_.push_back(where + ": the wall ends " + figure(farthest - width_ / 2) +
-                        " m beyond it");
+    if (std::abs(wall.beyond[side]) > map_.cell) {
+      faults_.push_back(where + ": the wall ends " + figure(wall.beyond[side]) + " m beyond it");
     }
-    const double slope = uv / uu, lean = seen > 0 ? rise / seen / options_.patch : 0,
-                 need = std::hypot(slope, lean);
-    if (std::atan(need) > std::atan(options_.friction) + kMeasured) {
-      faults_.push_back(where + ": the wall slopes by a tangent of " + figure(need) +
+    if (std::atan(wall.friction[side]) > std::atan(options_.friction) + kMeasured) {
+      faults_.push_back(where + ": the wall slopes by a tangent of " + figure(wall.friction[side]) +
                         ", which exceeds the friction");
     }
-    return {slope, lean};
-  }
-
-  /// How far the middle of a contact is above the middle of its pad. The face is as low as half of
-  /// what was seen of it, which must be 5 mm along the wall, at most three times the half length of
-  /// the pad from its middle.
-  double hidden(std::size_t side) const {
-    constexpr double kSeen = 0.005, kApart = 0.001;  // [m]
-    std::vector<double> found;
-    for (const double way : {-1.0, 1.0}) {
-      for (double u = way > 0 ? 0 : -kApart; std::abs(u) <= 3 * options_.patch; u += way * kApart) {
-        const Crossing line = crossing(u);
-        if (!line.is_wall) break;
-        if (line.is_seen[side]) found.push_back(line.underside[side]);
-      }
-    }
-    if (static_cast<double>(found.size()) * kApart < kSeen) return options_.patch;
-    std::sort(found.begin(), found.end());
-    const double lowest = found[found.size() / 2];
-    return std::clamp((lowest - height_ + options_.patch) / 2, 0.0, options_.patch);
   }
 
   /// The pads bear force, twist and tilt: see largest_mass().
@@ -207,7 +120,7 @@ class WallExamination {
   const Plan& plan_;
   const geometry::HeightMap& map_;
   Vector2d middle_, across_, along_;
-  double width_, height_, above_;
+  double width_, height_;
   std::vector<std::string> faults_;
 };
 

@@ -146,9 +146,10 @@ std::string in_mm(double length) {
 Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw) {
   Grasps result;
   const bool has_walls = problem.object.heights().has_value();
-  const std::vector<Faces> faces =
-      thinned(has_walls ? select_walls(problem, options, jaw, result)
-                        : Selection(problem, options, jaw).run(result));
+  std::vector<Faces> faces = thinned(has_walls ? select_walls(problem, options, jaw, result)
+                                               : Selection(problem, options, jaw).run(result));
+  if (has_walls && !faces.empty())
+    faces = measured_walls(std::move(faces), problem, options, jaw, result);
   result.num_faces = faces.size();
   const Isometry3d& X_WS = problem.support.X_WS();
   const Isometry3d X_SO = X_WS.inverse() * problem.X_WO_start;

@@ -34,6 +34,11 @@ struct Grasps {
 std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
                                 Grasps& result);
 
+/// Measures selected walls along fine lines, as check() does. Returns those that still fit the hand
+/// and hold the object, or notes in `result` what the nearest of the others lack.
+std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& problem,
+                                  const Options& options, const Jaw& jaw, Grasps& result);
+
 /// The sooner faces are tried, the less.
 double cost(const Faces& faces);
 

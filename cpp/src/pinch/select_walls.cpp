@@ -10,6 +10,7 @@
 
 #include "pinch/grasps.hpp"
 #include "pinch/press.hpp"
+#include "pinch/wall_measure.hpp"
 #include "pinch/walls.hpp"
 
 namespace graspless::pinch {
@@ -165,6 +166,27 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
 }
 
 }  // namespace
+
+std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& problem,
+                                  const Options& options, const Jaw& jaw, Grasps& result) {
+  const auto is_off = [&](Faces& wall) {
+    Eigen::Matrix<double, 3, 2> contacts_O;
+    contacts_O.topRows<2>() << wall.first, wall.second;
+    contacts_O.row(2).setConstant(*wall.height);
+    const WallMeasure measure = measure_wall(*problem.object.heights(), contacts_O, options.patch);
+    wall.friction = std::max(measure.friction[0], measure.friction[1]);
+    wall.rise = measure.rise;
+    return !measure.is_wall;
+  };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), is_off), faces.end());
+  if (faces.empty()) {
+    return refused_walls(
+        result, Status::too_flat,
+        "no wall rises " + in_mm(options.patch) + " above its contacts all along the pads");
+  }
+  faces = thin_walls(std::move(faces), options, jaw, result);
+  return faces.empty() ? faces : bearing_walls(std::move(faces), problem, options, jaw, result);
+}
 
 std::vector<Faces> select_walls(const Problem& problem, const Options& options, const Jaw& jaw,
                                 Grasps& result) {

@@ -10,6 +10,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "pinch/wall_measure.hpp"
+
 namespace graspless::pinch {
 
 using Eigen::Index, Eigen::Vector2d;
@@ -24,8 +26,7 @@ constexpr double kSwing = 0.1;  // of an object that hangs from the hand, before
 constexpr double kEven = 0.5;   // share of the moment that pads with uneven contacts bear
 constexpr double kMostRise = 0.75;  // in half pads: what is left of the contact is a noisy measure
 constexpr double kSeenHeight = 0.003;  // of what was seen of the side of a wall in a cell [m]
-constexpr double kUpright = 0.1, kLeaning = 0.3;  // tangents: a pad touches all of a face, its end
-constexpr double kGravity = 9.81;                 // [m/s^2]
+constexpr double kGravity = 9.81;      // [m/s^2]
 
 /// The part of a wall in one column: samples from `begin` to before `end` are as high as the
 /// contacts, those from `inner_begin` to before `inner_end` reach above them.

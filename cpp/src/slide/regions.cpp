@@ -30,6 +30,7 @@ constexpr int kLagPatience = 30;
 // Values of the arm's free joint that are tried for a start and for its partner, if it has one, and
 // the first draws have failed.
 constexpr int kFreeJoints = 5, kFreeJointsOfPartner = 3;
+constexpr int kFirstDraws = 4 * planning::ForestCBiRRT::kCompared;  // of starts
 
 // Goals of the object that are drawn for each start.
 constexpr int kDraws = 24;
@@ -129,7 +130,7 @@ bool StartRegion::try_sample(ob::State* state) const {
   const Eigen::VectorXd near = query_.draw_seed();
   const double depth = draw_depth(query_);
   std::vector<Eigen::VectorXd> arms = presses_at(query_, contact, depth, near, free_joint);
-  const bool is_hard = num_drawn_++ >= planning::ForestCBiRRT::kCompared,
+  const bool is_hard = num_drawn_++ >= kFirstDraws,
              has_more = is_hard && query_.tip_ik.free_joint();
   for (int k = 1; arms.empty() && has_more && k < kFreeJoints; ++k)
     arms = presses_at(query_, contact, depth, near, query_.draw_free_joint());

@@ -293,6 +293,25 @@ TEST(RimPinch, APlanOnALeaningWallNeedsFriction) {
             std::string::npos);
 }
 
+/// Cells are as wide as a wall leans over half a pad: planner and check() must measure it alike.
+TEST(RimPinch, PlansOnLeaningWallsHold) {
+  int solved = 0;
+  for (const double lean : {0.15, 0.25, 0.3}) {
+    for (const double radius : {0.055, 0.064, 0.073}) {
+      Cup cup;
+      cup.lean = lean;
+      cup.radius = radius;
+      const Problem problem = with_cup(cup, 0.02);
+      const Plan found = pinch::plan(problem);
+      solved += found ? 1 : 0;
+      if (found) {
+        EXPECT_EQ(all(check(problem, found)), "") << lean << ", " << radius;
+      }
+    }
+  }
+  EXPECT_GT(solved, 5);
+}
+
 /// The same plan, on another object.
 TEST(RimPinch, APlanForAnotherVesselIsAtFault) {
   const Plan found = pinch::plan(with_cup({}));
