@@ -10,7 +10,7 @@ from ..errors import TaskError, missing
 from ..kinds import part
 from ..plan_files import as_plan
 from .rates import Rate
-from .trajectory import Trajectory
+from .trajectory import Trajectory, require_sayable
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -106,7 +106,7 @@ def time(
         contact_speed = defaults.require_positive("contact_speed", contact_speed)
     limits = defaults.joint_limits(robot, max_velocity, max_acceleration, max_jerk)
     asked = defaults.Settings(robot, *limits, contact_speed, Rate(rate), pause)
-    return defaults.require_sayable(kind.trajectory(plan, asked), pause)
+    return require_sayable(kind.trajectory(plan, asked), pause)
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:

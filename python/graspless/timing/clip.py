@@ -18,8 +18,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from .limits import Zone
-    from .motion import Motion
-    from .ramps import Ramps
+    from .motion import Motion, Ramps
     from .rates import Rate
 
 

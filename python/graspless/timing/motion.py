@@ -85,6 +85,48 @@ class Motion:
         return self.path(s), d1 * v, d2 * v**2 + d1 * a, jerks
 
 
+@dataclass(frozen=True)
+class Ramps:
+    """A timed path whose squared speed is linear between points of a grid.
+
+    Attributes
+    ----------
+    path : Path
+    grid : array [M]
+        Parameters of the path, from 0 to its length.
+    speeds : array [M]
+        Speeds along the path there [1/s].
+    times : array [M]
+        Times there [s].
+    """
+
+    path: Path
+    grid: Matrix
+    speeds: Matrix
+    times: Matrix
+
+    @property
+    def duration(self) -> float:
+        """Duration [s]."""
+        return float(self.times[-1])
+
+    def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
+        """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
+        t = np.clip(t, 0.0, self.duration)
+        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.grid) - 2)
+        since = t - self.times[k]
+        slopes = np.diff(self.speeds**2) / (2 * np.diff(self.grid))
+        s = self.grid[k] + self.speeds[k] * since + slopes[k] * since**2 / 2
+        return s.clip(0.0, self.path.length), self.speeds[k] + slopes[k] * since, slopes[k]
+
+    def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
+        """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""
+        s, ds, dds = self.at(t)
+        dq = self.path(s, 1)
+        accelerations = self.path(s, 2) * ds[:, None] ** 2 + dq * dds[:, None]
+        return self.path(s), dq * ds[:, None], accelerations
+
+
 def _held(integral: PPoly, t: Matrix, order: int) -> Matrix:
     """Returns derivatives of the integral of a position that rests before and after its motion."""
     end = float(integral.x[-1])

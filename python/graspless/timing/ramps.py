@@ -10,13 +10,13 @@ a hundred times as long. The jerk is not bounded here.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .clip import Clip, joined, sampled, still
 from .limits import bounds, tolerances
+from .motion import Ramps
 from .path import rounded, stretches
 
 if TYPE_CHECKING:
@@ -30,48 +30,6 @@ if TYPE_CHECKING:
 
 _NEAR = 1e-7  # distance of points that count as one, relative to the path's length
 _SHARE = 0.97  # of paces and accelerations, which are larger between points of the grid
-
-
-@dataclass(frozen=True)
-class Ramps:
-    """A timed path whose squared speed is linear between points of a grid.
-
-    Attributes
-    ----------
-    path : Path
-    grid : array [M]
-        Parameters of the path, from 0 to its length.
-    speeds : array [M]
-        Speeds along the path there [1/s].
-    times : array [M]
-        Times there [s].
-    """
-
-    path: Path
-    grid: Matrix
-    speeds: Matrix
-    times: Matrix
-
-    @property
-    def duration(self) -> float:
-        """Duration [s]."""
-        return float(self.times[-1])
-
-    def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
-        t = np.clip(t, 0.0, self.duration)
-        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.grid) - 2)
-        since = t - self.times[k]
-        slopes = np.diff(self.speeds**2) / (2 * np.diff(self.grid))
-        s = self.grid[k] + self.speeds[k] * since + slopes[k] * since**2 / 2
-        return s.clip(0.0, self.path.length), self.speeds[k] + slopes[k] * since, slopes[k]
-
-    def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-        """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""
-        s, ds, dds = self.at(t)
-        dq = self.path(s, 1)
-        accelerations = self.path(s, 2) * ds[:, None] ** 2 + dq * dds[:, None]
-        return self.path(s), dq * ds[:, None], accelerations
 
 
 def ramps(path: Path, zones: Sequence[Zone], speed: float = 0.0) -> Ramps:

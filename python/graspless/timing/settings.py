@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..robot import Robot
     from .rates import Rate
-    from .trajectory import Trajectory
 
     PerJoint = float | Mapping[str, float]
 
@@ -118,16 +117,6 @@ def require_positive(name: str, value: float) -> float:
     if not math.isfinite(value) or value <= 0:
         raise TaskError(f"{name}: {value}: should be positive and finite")
     return float(value)
-
-
-def require_sayable(trajectory: Trajectory, pause: float) -> Trajectory:
-    """Returns the trajectory; raises TaskError if it takes longer than LONGEST."""
-    if trajectory.duration <= LONGEST:
-        return trajectory
-    takes = f"{trajectory.duration:.3g} s in all, more than {LONGEST}"
-    if pause * (len(trajectory.segments) - 1) > LONGEST / 2:
-        raise TaskError(f"pause: {pause:g}: makes {takes}: should be less")
-    raise TaskError(f"max_velocity, max_acceleration or contact_speed: {takes}: should be more")
 
 
 def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix | float) -> Matrix:

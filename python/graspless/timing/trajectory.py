@@ -13,7 +13,7 @@ import numpy as np
 from .. import frames
 from ..errors import TaskError
 from .rates import Rate
-from .settings import require_positive
+from .settings import LONGEST, require_positive
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -184,6 +184,16 @@ def _mix(values: Matrix, before: NDArray[np.int64], after: NDArray[np.int64], t:
     weight = t.reshape(-1, *([1] * (values.ndim - 1)))
     mixed: Matrix = (1 - weight) * values[before] + weight * values[after]
     return mixed
+
+
+def require_sayable(trajectory: Trajectory, pause: float) -> Trajectory:
+    """Returns the trajectory; raises TaskError if it takes longer than LONGEST."""
+    if trajectory.duration <= LONGEST:
+        return trajectory
+    takes = f"{trajectory.duration:.3g} s in all, more than {LONGEST}"
+    if pause * (len(trajectory.segments) - 1) > LONGEST / 2:
+        raise TaskError(f"pause: {pause:g}: makes {takes}: should be less")
+    raise TaskError(f"max_velocity, max_acceleration or contact_speed: {takes}: should be more")
 
 
 def assembled(
