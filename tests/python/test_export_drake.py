@@ -8,7 +8,8 @@ import trimesh
 
 import graspless
 from graspless import TaskError, cli
-from graspless.formats.drake_robot import Meshes, robot_urdf
+from graspless.formats.drake_robot import robot_urdf
+from graspless.formats.drake_sdf import Meshes
 from graspless.tasks.robot_files import resolve_robot
 from graspless.tasks.robots import Robot, build_robot
 from graspless.tasks.source import Source

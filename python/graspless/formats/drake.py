@@ -14,8 +14,8 @@ import numpy as np
 
 from .. import files, frames
 from ..timing.trajectory import stages_of
-from .drake_robot import ROOT, Meshes, fingers_urdf, robot_urdf
-from .drake_sdf import model_sdf
+from .drake_robot import ROOT, fingers_urdf, robot_urdf
+from .drake_sdf import Meshes, model_sdf
 from .fingers import centers
 from .mujoco_scene import FINGER, OBJECT
 from .numbers import plain

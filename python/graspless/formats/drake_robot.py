@@ -15,35 +15,15 @@ from ..simulation.robots import Gains, gains, untested_pairs
 from ..simulation.settings import Fingertip, Servo
 from ..tasks.robots import mesh_path
 from ..view.visuals import UnreadableError, read_visual, warn_once
-from .drake_sdf import numbers
+from .drake_sdf import Meshes, numbers
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
-
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
     from .things import Thing
 
 ROOT = "graspless_base"  # frame that is welded to the world
 _REACH = 10.0  # of a bare fingertip from the origin [m]
-
-
-class Meshes:
-    """Meshes of a folder, as OBJ files."""
-
-    def __init__(self) -> None:
-        self._names: dict[str, str] = {}  # by content
-
-    @property
-    def files(self) -> dict[str, str]:
-        """Content of the files by name."""
-        return {name: content for content, name in self._names.items()}
-
-    def add(self, vertices: ArrayLike, triangles: ArrayLike) -> str:
-        """Adds a mesh, if it is new, and returns the name of its file."""
-        lines = [f"v {numbers(p)}\n" for p in np.asarray(vertices)]
-        lines += ["f {} {} {}\n".format(*t) for t in np.asarray(triangles) + 1]
-        return self._names.setdefault("".join(lines), f"meshes/{len(self._names)}.obj")
 
 
 def robot_urdf(robot: Robot, fields: RobotFields, meshes: Meshes) -> str:

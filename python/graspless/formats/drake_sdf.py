@@ -17,11 +17,28 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..frames import Matrix
-    from .drake_robot import Meshes
     from .things import Shape, Thing
 
 _TAGS = {"surface": "mesh"}
 _SIDE, _DEPTH = 20.0, 1.0  # of the box that stands for a plane [m]
+
+
+class Meshes:
+    """Meshes of a folder, as OBJ files."""
+
+    def __init__(self) -> None:
+        self._names: dict[str, str] = {}  # by content
+
+    @property
+    def files(self) -> dict[str, str]:
+        """Content of the files by name."""
+        return {name: content for content, name in self._names.items()}
+
+    def add(self, vertices: ArrayLike, triangles: ArrayLike) -> str:
+        """Adds a mesh, if it is new, and returns the name of its file."""
+        lines = [f"v {numbers(p)}\n" for p in np.asarray(vertices)]
+        lines += ["f {} {} {}\n".format(*t) for t in np.asarray(triangles) + 1]
+        return self._names.setdefault("".join(lines), f"meshes/{len(self._names)}.obj")
 
 
 def model_sdf(things: list[Thing], name: str, meshes: Meshes, is_static: bool = False) -> str:
