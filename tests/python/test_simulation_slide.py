@@ -16,8 +16,9 @@ import graspless
 from graspless import _data, frames, geometry, slide
 from graspless.errors import TaskError
 from graspless.simulation.settings import Slide
-from graspless.simulation.slide import FAILURES, MEASURES, Execution, overhang
+from graspless.simulation.slide import FAILURES, MEASURES
 from graspless.simulation.slide.conditions import CONDITIONS, draw
+from graspless.simulation.slide.execution import Execution, overhang
 from graspless.simulation.slide.fingers import PAD
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.program import make_program, straight_lift

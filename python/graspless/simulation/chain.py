@@ -24,7 +24,8 @@ from .results import Trial
 from .settings import Slide
 from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import SPREAD, Body, Execution, execute, running
+from .slide import SPREAD, execute, running
+from .slide.execution import Execution
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from ..chain import Plan
     from ..frames import Matrix
     from .results import Recording, Running
+    from .slide.scene import Body
     from .variation import Variation
 
 _STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
@@ -299,7 +301,6 @@ __all__ = [
     "FAILURES",
     "MEASURES",
     "SPREAD",
-    "Body",
     "obstacles_of",
     "require_simulated",
     "run",

@@ -14,7 +14,7 @@ import numpy as np
 from ... import frames
 from ...following import Follower, Settings
 from ...following.follower import RETREAT
-from . import Execution
+from .execution import Execution
 from .program import HOLD, Command, Program, make_end
 
 if TYPE_CHECKING:
