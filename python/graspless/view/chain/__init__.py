@@ -11,12 +11,9 @@ from ...kinds import part
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from ..._plan import Plan as AnyPlan
     from ...chain import Plan
     from ...simulation import Recording
     from ..replay import Stage as AnyStage
-
-NO_TIME = 1e-9  # too short to find a plan: the start alone is drawn [s]
 
 
 def draw(plan: Plan) -> Figure:
@@ -39,13 +36,3 @@ def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> An
     from .replay import Stage
 
     return Stage(server, plan)
-
-
-def stages_of(plan: Plan) -> list[tuple[str, AnyPlan]]:
-    """Returns names and plans of the stages; for a chain without plans, its start."""
-    if plan.stages:
-        return list(zip(plan.names, plan.stages, strict=True))
-    from ... import _api
-
-    problem = plan.task.problem
-    return [(problem.stages[0].name, _api.plan(problem.first, seconds=NO_TIME))]

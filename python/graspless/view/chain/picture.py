@@ -10,7 +10,7 @@ import numpy as np
 
 from ...kinds import part
 from ..figures import DPI, new_figure
-from . import stages_of
+from .stages import stages_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

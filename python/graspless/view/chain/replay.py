@@ -12,7 +12,7 @@ import numpy as np
 from ...kinds import part
 from ..raster import Camera
 from ..scene import FIELD, Layers, look, plain
-from . import stages_of
+from .stages import stages_of
 
 if TYPE_CHECKING:
     from ...chain import Plan
