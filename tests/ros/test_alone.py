@@ -21,7 +21,6 @@ from sensor_msgs.msg import JointState
 from graspless import TaskError
 from graspless.ros import demo, settings
 from graspless.ros.demo import Transcript, parameters
-from graspless.ros.diagnostics import diagnostics_of
 from graspless.ros.node import GrasplessNode
 from graspless.ros.results import bytes_of
 from graspless.ros.server import WHOLE
@@ -153,7 +152,7 @@ def test_results_can_be_asked_for_again_until_others_need_the_memory(alone):
 
 
 def test_diagnostics_say_what_is_missing(alone):
-    texts = {status.name: status.message for status in diagnostics_of(alone.node)}
+    texts = {status.name: status.message for status in alone.node.diagnostics()}
     assert texts["graspless: depth image"] == "none was heard"
     assert texts["graspless: controllers"] == "nobody serves arm, hand"
 

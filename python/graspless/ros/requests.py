@@ -16,28 +16,33 @@ from .work import DESCRIPTION
 
 if TYPE_CHECKING:
     from .goals import Goal
-    from .node import GrasplessNode
+    from .senses import Camera, Description, Joints
+    from .settings import Settings
+    from .transforms import Transforms
 
 
 class Requests:
-    """Makes jobs of goals. Whatever a goal lacks is a RefusedError.
+    """Makes jobs of goals. Whatever a goal lacks is a RefusedError."""
 
-    Parameters
-    ----------
-    node : GrasplessNode
-    """
-
-    def __init__(self, node: GrasplessNode) -> None:
-        self._node = node
+    def __init__(
+        self,
+        settings: Settings,
+        transforms: Transforms,
+        joints: Joints,
+        camera: Camera,
+        description: Description,
+    ) -> None:
+        self._settings, self._transforms, self._joints = settings, transforms, joints
+        self._camera, self._description = camera, description
 
     def task_job(self, goal: Goal) -> TaskJob:
         """Returns the job of a goal of PlanTask."""
-        asked, s = goal.request, self._node.settings
+        asked, s = goal.request, self._settings
         if not np.isfinite(asked.seconds) or asked.seconds < 0:
             raise RefusedError(f"seconds: {asked.seconds}: should be at least 0")
         robot = None
         if DESCRIPTION in asked.task:
-            robot = robot_fields(self._node.description, self._node.transforms, s)
+            robot = robot_fields(self._description, self._transforms, s)
         return TaskJob(
             asked.task,
             seed=asked.seed or None,
@@ -54,16 +59,16 @@ class Requests:
         """Returns the measured joints of all controllers; None if they are not needed."""
         if not is_needed:
             return None
-        names = [name for each in self._node.settings.controllers for name in each.joints]
+        names = [name for each in self._settings.controllers for name in each.joints]
         if not names:
             raise RefusedError("execute: the node knows no controllers (parameter controllers)")
-        s = self._node.settings
-        q = self._node.joints.positions(names, s.joint_state_seconds, patience=s.tf_seconds)
+        s = self._settings
+        q = self._joints.positions(names, s.joint_state_seconds, patience=s.tf_seconds)
         return dict(zip(names, q.tolist(), strict=True))
 
     def pick_job(self, goal: Goal) -> PickJob:
         """Returns the job of a goal of PickObject, with an image that is newer than the goal."""
-        asked, s = goal.request, self._node.settings
+        asked, s = goal.request, self._settings
         for name in ("lift", "seconds"):
             if not np.isfinite(getattr(asked, name)) or getattr(asked, name) < 0:
                 raise RefusedError(f"{name}: {getattr(asked, name)}: should be at least 0")
@@ -73,7 +78,7 @@ class Requests:
             robot = robot | {"home": home}
         at = None if asked.name else self._point(asked.at)
         goal.tell("seeing")
-        seen = self._node.camera.look(
+        seen = self._camera.look(
             asked.source or "image", goal.began, s.image_seconds, s.tf_seconds, goal.cancel
         )
         return PickJob(
@@ -96,7 +101,7 @@ class Requests:
     def _robot(self, name: str) -> dict[str, Any]:
         if name and name != DESCRIPTION:
             return {"urdf": name}
-        robot = robot_fields(self._node.description, self._node.transforms, self._node.settings)
+        robot = robot_fields(self._description, self._transforms, self._settings)
         if robot is None:
             raise RefusedError("robot: none was named, and no robot_description was received")
         return robot
@@ -110,6 +115,6 @@ class Requests:
         if not np.isfinite(p_F).all():
             raise RefusedError("at: has values that are not finite")
         stamp = seconds_of(message.header.stamp) or None
-        s = self._node.settings
-        X_WF = self._node.transforms.lookup(s.world_frame, frame, stamp, s.tf_seconds)
+        s = self._settings
+        X_WF = self._transforms.lookup(s.world_frame, frame, stamp, s.tf_seconds)
         return (X_WF @ p_F)[:3]
