@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by all commands: exit codes, signals, and reading files or stdin."""
+"""Shared by all commands: exit codes, common flags, and reading stdin."""
 
 from __future__ import annotations
 
@@ -11,8 +11,6 @@ from .errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
-
-    from ._plan import Plan
 
 ends_with_command = False  # True in a process that runs one command and ends
 
@@ -25,15 +23,6 @@ EXIT_CODES = """exit codes:
   130  interrupted
   141  the reader of the output closed the pipe
   143  terminated (SIGTERM)"""
-
-
-def given_plan(path: str) -> Plan:
-    """Returns the plan in a file; - stands for stdin."""
-    from . import plan_files
-
-    if path != "-":
-        return plan_files.load_plan(path)
-    return plan_files.read_plan(read_stdin(), "stdin")
 
 
 def add_trust(parser: argparse.ArgumentParser) -> None:
@@ -65,40 +54,6 @@ def given_packages(options: argparse.Namespace) -> dict[str, str]:
             raise TaskError(f"--package: {text}: should be NAME=DIR")
         packages[name] = folder
     return packages
-
-
-def add_unchecked(parser: argparse.ArgumentParser) -> None:
-    """Adds the flag --unchecked, for commands that check their plan first."""
-    parser.add_argument(
-        "--unchecked",
-        action="store_true",
-        help="do not check the plan first: accept one that graspless check refuses",
-    )
-
-
-def checked_plan(options: argparse.Namespace) -> Plan:
-    """Returns the plan in a file, which may have been edited since it was written.
-
-    A plan without a solution is returned as it is; the caller reports it.
-
-    Raises
-    ------
-    TaskError
-        The plan fails its check, and --unchecked was not given.
-    """
-    from . import _api, progress
-
-    plan = given_plan(options.plan)
-    if not plan or options.unchecked:
-        return plan
-    with progress.waiting("checking"):
-        faults = _api.check(plan)
-    if faults:
-        name = options.plan if options.plan != "-" else "stdin"
-        more = f" and {len(faults) - 1} more" if len(faults) > 1 else ""
-        hint = "add --unchecked to continue anyway"
-        raise TaskError(f"{name}: does not hold: {faults[0]}{more}; {hint}")
-    return plan
 
 
 def read_stdin() -> str:

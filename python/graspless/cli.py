@@ -25,9 +25,9 @@ from ._commands import (
     INTERRUPTED,
     NOT_FOUND,
     add_trust,
-    given_plan,
     read_stdin,
 )
+from ._given_plan import given_plan
 from .errors import OutOfTimeError, TaskError, explain
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ import re
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import FOUND, add_unchecked, checked_plan
+from .._commands import FOUND
+from .._given_plan import add_unchecked, checked_plan
 from ..errors import TaskError
 
 if TYPE_CHECKING:

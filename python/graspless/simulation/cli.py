@@ -7,7 +7,8 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from .._commands import FOUND, NOT_FOUND, add_unchecked, checked_plan
+from .._commands import FOUND, NOT_FOUND
+from .._given_plan import add_unchecked, checked_plan
 
 if TYPE_CHECKING:
     import argparse
