@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames, scene
-from .. import robot as robots
+from .._core import robot as robots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

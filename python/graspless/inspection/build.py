@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import robot as robots
-from .. import slide
+from .._core import robot as robots
+from .._core import slide
 from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, group_names, make_srdf, with_frames
@@ -32,8 +32,8 @@ from .tips import (
 from .tree import Tree
 
 if TYPE_CHECKING:
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
     from .pairs import Pair
     from .tips import Tip
 

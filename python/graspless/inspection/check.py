@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import collision, frames, geometry, scene
+from .._core import clasp, slide
 from .jaws import middle
 from .pairs import touching
 from .tree import Tree
@@ -16,9 +17,8 @@ from .tree import Tree
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from .. import clasp, slide
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
 
 NEAR = 0.003  # a fingertip frame is on the surface if it is nearer than this [m]
 BESIDE = 0.015  # a grasp frame is in the middle between the tips if it is nearer than this [m]
@@ -60,8 +60,6 @@ def faults(robot: Robot, hand: slide.Hand, pitch: float | None = None) -> list[s
 
 def _of_planner(robot: Robot, hand: slide.Hand, pitch: float | None) -> list[str]:
     """Returns what the planner refuses in a hand, whatever the object is."""
-    from .. import slide
-
     square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
     thing = slide.Object.from_polygon("object", geometry.Polygon(square), 0.5)  # as thick as can be
     support = slide.Support(geometry.Polygon(square), np.eye(4))

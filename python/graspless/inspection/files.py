@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     import xml.etree.ElementTree as ET
     from collections.abc import Iterable, Mapping
 
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
 
 # Frames without a body weigh 1 g, because MuJoCo refuses links without inertia.
 _FRAME = """  <link name={link}>

@@ -12,8 +12,8 @@ import numpy as np
 from .. import frames, geometry
 
 if TYPE_CHECKING:
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
 
 CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
 

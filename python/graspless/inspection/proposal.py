@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from ..robot import Robot
+    from .._core.robot import Robot
 
 SHOWN = ("fingertip", "finger_model", "pitch")  # fields of the hand in a summary
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import slide
+from .._core import slide
 
 if TYPE_CHECKING:
     from ..frames import Matrix

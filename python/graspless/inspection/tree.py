@@ -18,8 +18,8 @@ from .points import link_points
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
 
 
 @dataclass(frozen=True)

@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 from pydantic import AfterValidator
 
-from .. import geometry
+from .. import collision, geometry
 from .shapes import MeshFile, Obstacle, Shape, pose_matrix, regular_polygon
 from .source import Source, at
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Sequence
 
-    from ..frames import Matrix
     from .source import Location
 
     AnyShape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
@@ -46,14 +45,14 @@ def obstacle_meshes(obstacles: Sequence[Obstacle]) -> set[Path]:
     return {Path(shape.mesh.file) for shape in shapes if shape.mesh}
 
 
-def placed_obstacles(
-    obstacles: Sequence[Obstacle], source: Source
-) -> Iterator[tuple[str, list[geometry.PlacedShape], Matrix]]:
-    """Name, shapes in the body's frame B, and X_WB of each."""
+def build_obstacles(obstacles: Sequence[Obstacle], source: Source) -> list[collision.Obstacle]:
+    """Returns the obstacles of resolved fields."""
+    built = []
     for i, obstacle in enumerate(obstacles):
         with at(source, "obstacles", i):
-            placed = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
-        yield obstacle.name, placed, pose_matrix(obstacle.pose)
+            parts = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
+        built.append(collision.Obstacle(obstacle.name, parts, pose_matrix(obstacle.pose)))
+    return built
 
 
 def placed_parts(parts: Sequence[Shape], alone: bool = False) -> list[geometry.PlacedShape]:

@@ -22,7 +22,7 @@ HandT = TypeVar("HandT", bound="pydantic.BaseModel")
 def with_proposal(
     robot: Robot, hand: HandT | None, model: type[HandT], source: Source
 ) -> tuple[Robot, HandT, str | None]:
-    """Returns a resolved robot and its hand, completed by what `inspect` proposes.
+    """Returns a resolved robot and its hand, completed by what `inspection` proposes.
 
     What is given has precedence.
 
@@ -44,12 +44,12 @@ def with_proposal(
     """
     if robot.srdf_text is not None and hand is not None:
         return robot, hand, None
-    from ..robot import inspect
+    from ..inspection.build import propose
 
     kind = "clasp" if "thumb" in model.model_fields else "slide"
     built = build_robot(robot, source, warn=False)
     with at(source, "robot"):
-        found = inspect(built)
+        found = propose(built, None, built.name)
         proposed: dict[str, Any] = found.clasp if kind == "clasp" else found.hand
         if not proposed and hand is None:
             raise ValueError(found.refusal(kind))

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import _data
+from .._core import robot as robots
 from .._descriptions import Described, described
 from .._xml import parse
 from ..limits import uncounted
@@ -18,7 +19,6 @@ from .shapes import pose_matrix
 from .source import Source, at
 
 if TYPE_CHECKING:
-    from .. import robot as robots
     from .source import Location
 
 
@@ -58,8 +58,6 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
 def _with_gripper(
     arm: robots.Description, gripper: Gripper, source: Source, directory: Path
 ) -> tuple[robots.Description, Path | None]:
-    from .. import robot as robots
-
     field = "file" if gripper.file is not None else "name"
     description, path = _read(gripper, field, ("robot", "gripper", field), source, directory)
     with at(source, "robot", "gripper"):
@@ -80,8 +78,6 @@ def _read(
     given: Robot | Gripper, field: str, place: Location, source: Source, directory: Path
 ) -> tuple[robots.Description, Path]:
     """Returns the texts of a robot, and the path of its URDF."""
-    from .. import robot as robots
-
     known = _find_urdf(getattr(given, field), field, place, source, directory)
     packages = known.packages | _find_packages(given, place[:-1], source, directory)
     meshes = _find_folder(given, place[:-1], source, directory) or known.directory

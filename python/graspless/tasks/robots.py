@@ -12,13 +12,13 @@ from xml.parsers import expat
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
+from .._core import robot as robots
 from .._xml import parse
 from .meshes import is_mesh
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
 
 if TYPE_CHECKING:
-    from .. import robot as robots
     from ..frames import Matrix
 
 
@@ -123,8 +123,6 @@ def stem(path: str | Path) -> str:
 
 def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Robot:
     """Returns the robot of resolved fields; warns of what was ignored in its files."""
-    from .. import robot as robots
-
     field = given_field(source)
     with at(source, "robot", field):
         built = robots.Robot.from_urdf(

@@ -15,8 +15,8 @@ from .trajectory import Trajectory, require_sayable
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from .._core.robot import Robot
     from .._plan import Plan
-    from ..robot import Robot
     from .settings import PerJoint, Settings
 
 

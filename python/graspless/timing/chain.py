@@ -13,8 +13,8 @@ from ..kinds import part
 from .trajectory import concatenated
 
 if TYPE_CHECKING:
+    from .._core.robot import Robot
     from ..chain import Plan
-    from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory
 

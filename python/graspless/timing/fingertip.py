@@ -20,9 +20,9 @@ from .trajectory import assembled
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .._core.robot import Robot
     from ..fingertip import JointSegment, Plan, Segment
     from ..frames import Matrix
-    from ..robot import Robot
     from .settings import Settings
     from .trajectory import Trajectory
 

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
     from typing import Any
 
+    from .._core.robot import Robot
     from .._plan import Plan
     from ..frames import Matrix
-    from ..robot import Robot
     from .limits import Pace
     from .settings import Settings
     from .trajectory import Trajectory

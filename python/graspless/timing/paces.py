@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
     from .limits import Pace
 
 

@@ -17,8 +17,8 @@ from ..errors import TaskError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
     from .rates import Rate
 
     PerJoint = float | Mapping[str, float]

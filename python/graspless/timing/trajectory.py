@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike, NDArray
 
+    from .._core.robot import Robot
     from .._plan import Plan
     from ..frames import Matrix
-    from ..robot import Robot
     from .clip import Clip
 
 

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..robot import Robot
     from ..tasks import Task, shapes
     from ..tasks.robots import Robot as RobotFields
 

@@ -26,7 +26,7 @@ from .model import CarryTask
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from ... import carry
+    from ..._core import carry
     from ..source import Source
 
 SEARCHES: tuple[str, ...] = ()

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import carry, frames, geometry
+from ... import collision, frames, geometry
+from ..._core import carry
 from ..clasp.build import build_object as build_clasp_object
-from ..obstacles import placed_obstacles, placed_parts
+from ..obstacles import build_obstacles, placed_parts
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import pose_matrix
 from ..slide.build import build_object as build_slide_object
@@ -41,9 +42,7 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
     with at(source, "frame"):
         robot.frame(given.frame)
     X_WO = pose_matrix(given.pose)
-    obstacles = [
-        carry.Obstacle(*placed) for placed in placed_obstacles(task.obstacles or [], source)
-    ]
+    obstacles = build_obstacles(task.obstacles or [], source)
     rests = dict.fromkeys(task.rests_on, UP)
     if task.support is not None:
         obstacles.append(_support(task.support, source))
@@ -53,7 +52,7 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
         robot=robot,
         arm=task.arm,
         frame=given.frame,
-        object=carry.Obstacle(given.object.name, shapes, X_WO),
+        object=collision.Obstacle(given.object.name, shapes, X_WO),
         X_WO_goal=None if task.place is not None else goal(task, X_WO),
         q_start=build_home(given.robot, robot, source),
         obstacles=obstacles,
@@ -113,9 +112,9 @@ def build_options(task: model.CarryTask, source: Source) -> carry.Options:
     return options
 
 
-def _support(support: Any, source: Source) -> carry.Obstacle:
+def _support(support: Any, source: Source) -> collision.Obstacle:
     built = build_support(support, support_pose(support), source)
-    return carry.Obstacle(SUPPORT, list(built.shapes), np.asarray(built.X_WS))
+    return collision.Obstacle(SUPPORT, list(built.shapes), np.asarray(built.X_WS))
 
 
 # What the core calls a part of a problem, and where it stands in a task file.

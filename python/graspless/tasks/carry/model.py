@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from ... import carry
+from ..._core import carry
 from ..budget import Budget
 from ..clasp.model import Object as ClaspObject
 from ..obstacles import Obstacles

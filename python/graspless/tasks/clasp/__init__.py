@@ -28,7 +28,7 @@ from .model import ClaspTask, LoopOptions
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from ... import clasp
+    from ..._core import clasp
     from ..source import Source
 
 SEARCHES = ()

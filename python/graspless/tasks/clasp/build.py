@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import clasp, geometry
-from ..obstacles import placed_obstacles
+from ... import geometry
+from ..._core import clasp
+from ..obstacles import build_obstacles
 from ..rays import build_rays
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import pose_matrix
@@ -43,7 +44,7 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
         object=build_object(task.object, source),
         X_WO=pose_matrix(task.object.pose),
         q_start=build_home(task.robot, robot, source, others=hand.open),
-        obstacles=[clasp.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)],
+        obstacles=build_obstacles(task.obstacles, source),
         loops=task.clasp.loops,
         marks=np.array(task.clasp.marks).reshape(-1, 3),
         pull_W=None if task.clasp.pull is None else np.array(task.clasp.pull),

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import clasp, geometry
+from ... import geometry
+from ..._core import clasp
 from ..clouds import read_cloud
 from ..documents import rows_of
 from ..rays import Rays, rays_fields

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 from pydantic import AfterValidator, Field
 
-from ... import clasp
+from ..._core import clasp
 from ..robots import stem
 from ..shapes import Fields, Point3
 from ..source import Source, read_yaml
@@ -18,7 +18,7 @@ from ..source import Source, read_yaml
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from ... import robot as robots
+    from ..._core import robot as robots
     from ..source import Location
 
 

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from ... import clasp
+from ..._core import clasp
 from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by

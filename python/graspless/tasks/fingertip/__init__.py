@@ -20,7 +20,7 @@ from .resolve import resolve as resolve_files
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from ... import fingertip
+    from ..._core import fingertip
     from ..source import Source
 
 SEARCHES = ("dijkstra", "paper", "fast")

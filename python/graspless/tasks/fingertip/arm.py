@@ -7,12 +7,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ... import fingertip
+from ..._core import fingertip
 from ..robots import build_home, build_robot
 from ..source import at
 
 if TYPE_CHECKING:
-    from ... import robot as robots
+    from ..._core import robot as robots
     from ...frames import Matrix
     from ..source import Source
     from . import model

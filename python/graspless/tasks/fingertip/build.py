@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import fingertip, geometry
+from ... import geometry
+from ..._core import fingertip, mechanics
 from ...errors import TaskError
-from ..obstacles import placed_obstacles
+from ..obstacles import build_obstacles
 from ..source import at
 from .motions import build_motion
 
@@ -34,9 +35,7 @@ def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
             planes=planes,
             friction=build_friction(task.friction),
             motion=build_motion(task.motion, thing, planes[0], source),
-            obstacles=[
-                fingertip.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)
-            ],
+            obstacles=build_obstacles(task.obstacles, source),
             gravity_W=np.array(task.gravity),
         )
     try:
@@ -129,7 +128,7 @@ def build_options(
         fields["search"] = fingertip.Search.__members__[fields["search"]]
     if "disturbance_directions" in fields:
         fields["disturbance_directions"] = np.array(fields["disturbance_directions"])
-    fields["compliance"] = fingertip.Compliance(**fields["compliance"])
+    fields["compliance"] = mechanics.Compliance(**fields["compliance"])
     with at(source, "options"):
         options = fingertip.Options(**fields)
         fingertip.validate(options)

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
-from ... import fingertip
+from ..._core import fingertip, mechanics
 from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
@@ -142,7 +142,7 @@ class Wall(Fields):
         return self
 
 
-@described_by(fingertip.Compliance)
+@described_by(mechanics.Compliance)
 class Compliance(Fields):
     """Springs at the contacts, of which only ratios matter: docs/reference/options.md."""
 

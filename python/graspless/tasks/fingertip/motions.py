@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import fingertip, frames
+from ... import frames
+from ..._core import fingertip
 from ..shapes import pose_matrix
 from ..source import at
 from ..statement import pose_fields, struct_fields
@@ -20,13 +21,15 @@ if TYPE_CHECKING:
     from ..source import Location, Source
     from . import motion as model
 
+    Motion = fingertip.Path | fingertip.Lattice | fingertip.Goal
+
 DIRECTIONS = {"+x": [1, 0, 0], "-x": [-1, 0, 0], "+y": [0, 1, 0], "-y": [0, -1, 0]}
 UP = np.array([0.0, 0.0, 1.0])
 
 
 def build_motion(
     motion: model.Motion, thing: fingertip.Object, floor: fingertip.Plane, source: Source
-) -> fingertip.Motion:
+) -> Motion:
     """Returns the planner's motion. Error messages name the place in `source`."""
     place = ("motion", next(iter(motion.model_fields_set)))
     with at(source, *place):
@@ -61,7 +64,7 @@ def build_motion(
         return fingertip.join(paths)
 
 
-def motion_fields(motion: fingertip.Motion) -> dict[str, Any]:
+def motion_fields(motion: Motion) -> dict[str, Any]:
     """Returns the fields of the planner's motion in a task file."""
     if isinstance(motion, fingertip.Path):
         return {"path": [pose_fields(X_WO) for X_WO in motion.X_WO]}

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from ... import pinch
+from ..._core import pinch
 from ..options import described_by
 from ..shapes import Fields
 from ..slide.model import OnSupport

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import slide
+from ..._core import slide
 from ..documents import rows_of
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain

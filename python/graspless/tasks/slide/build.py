@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from ... import frames, geometry, slide
-from ..obstacles import placed_obstacles
+from ... import frames, geometry
+from ..._core import slide
+from ..obstacles import build_obstacles
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import regular_polygon
 from ..source import at
@@ -17,7 +18,7 @@ from . import model
 from .resolve import support_pose
 
 if TYPE_CHECKING:
-    from ... import robot as robots
+    from ..._core import robot as robots
     from ..source import Source
 
 
@@ -53,7 +54,7 @@ def build(
         build_support(task.support, X_WS, source),
         X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
         build_home(task.robot, robot, source, others=hand.open),
-        [slide.Obstacle(*placed) for placed in placed_obstacles(task.obstacles, source)],
+        build_obstacles(task.obstacles, source),
     )
     try:
         slide.validate(problem)

@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from ... import slide
+from ..._core import slide
 from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
