@@ -6,21 +6,20 @@ from __future__ import annotations
 
 import enum
 import time
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
-from .. import limits
 from .._named import Named
 from .._plan import AnyPlan
-from ..errors import OutOfTimeError, TaskError
-from ..kinds import plan_type
+from ..errors import TaskError
 from ..plan_files import document_of, plan_of
 from ..plan_files.chain import Join, Segment
-from ..tasks.chain import ON_SUPPORT, Options, Problem, Stage, start_at
+from ..tasks.chain import ON_SUPPORT, Options, Problem, Stage
+from .check import check_joins
+from .search import Found, Statistics, add_stage, search
 from .state import begins, ends, join
 
 if TYPE_CHECKING:
@@ -38,19 +37,6 @@ class Status(Named):
     solved = 0
     not_joined = 1
     out_of_time = 2
-
-
-@dataclass
-class Statistics:
-    """Counters of the search."""
-
-    seconds: float = 0.0
-    planned_stages: int = 0
-    attempts: int = 1
-
-    def as_dict(self) -> dict[str, Any]:
-        """Returns all fields by name."""
-        return dict(vars(self))
 
 
 class Plan(AnyPlan):
@@ -127,10 +113,10 @@ class Plan(AnyPlan):
 
     @classmethod
     def _search(cls, task: Any, budget: planning.Budget) -> Plan:
-        return cls._of_search(_search(task, budget), task)
+        return cls._of_search(search(task, budget), task)
 
     @classmethod
-    def _of_search(cls, found: _Found, task: Any) -> Plan:
+    def _of_search(cls, found: Found, task: Any) -> Plan:
         stages = found.stages
         fields = {
             "status": found.status,
@@ -148,13 +134,12 @@ class Plan(AnyPlan):
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan, in its stages and between them."""
-        from .check import check_joins
-
         faults = []
         for k, (name, stage) in enumerate(zip(self.names, self.stages, strict=True)):
             own = stage._faults() if stage else [f"not solved: {stage.reason}"]
             faults += [f"stage {k} '{name}': {fault}" for fault in own]
-        return faults + check_joins(self)
+        asked = self.task.problem.stages
+        return faults + check_joins(asked, self.names, self.stages, self.joins, self.contents)
 
     def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
         """Returns the certificates of all stages."""
@@ -193,93 +178,11 @@ def continued(before: Plan, task: Any, budget: planning.Budget) -> Plan:
         Budget of that stage.
     """
     began = time.monotonic()
-    found = _Found(stages=list(before.stages))
+    found = Found(stages=list(before.stages))
     found.statistics = Statistics(attempts=before.statistics.attempts)
-    _add(found, task.problem.stages[-1], task, budget)
+    add_stage(found, task.problem.stages[-1], task, budget)
     found.statistics.seconds = before.statistics.seconds + time.monotonic() - began
     return Plan._of_search(found, task)
-
-
-@dataclass
-class _Found:
-    """Plans found so far."""
-
-    stages: list[Any] = field(default_factory=list)
-    status: str = "solved"
-    reason: str = ""
-    statistics: Statistics = field(default_factory=Statistics)
-
-    def fail(self, status: str, reason: str) -> bool:
-        """Ends the chain; False."""
-        self.status, self.reason = status, reason
-        return False
-
-    def may_do_better(self) -> bool:
-        """True if another start may help: a stage could not continue from those before it."""
-        ended = ("solved", "interrupted", "out_of_time", "out_of_memory")
-        first_failed = len(self.stages) == 1 and not self.stages[0]
-        return self.status not in ended and not first_failed
-
-
-def _search(task: Task, budget: planning.Budget) -> _Found:
-    """Plans stage after stage, with `budget` instead of the task's. A stage gets the seconds
-    that are left, and all iterations. Of n stages, stage k of attempt j, both from 0, has
-    the budget's seed + j n + k.
-    """
-    began = time.monotonic()
-    best: _Found | None = None
-    for attempt in range(task.options.attempts):
-        found = _attempt(task, budget, began, attempt)
-        if best is None or found.status == "solved" or len(found.stages) > len(best.stages):
-            best = found
-        best.statistics.attempts = attempt + 1
-        if not found.may_do_better() or time.monotonic() - began >= budget.seconds:
-            break
-    assert best is not None
-    best.statistics.seconds = time.monotonic() - began
-    return best
-
-
-def _attempt(task: Task, budget: planning.Budget, began: float, attempt: int) -> _Found:
-    """Plans the stages from the first to the last, or to the first that is not found."""
-    found = _Found()
-    stages = task.problem.stages
-    for k, stage in enumerate(stages):
-        left = budget.seconds - (time.monotonic() - began)
-        if left <= 0:
-            found.fail("out_of_time", f"{stage.name}: no time was left for it")
-            break
-        seed = (budget.seed + attempt * len(stages) + k) % 2**64
-        if not _add(found, stage, task, budget.part(seconds=left, seed=seed)):
-            break
-    return found
-
-
-def _add(found: _Found, stage: Stage, task: Task, budget: planning.Budget) -> bool:
-    """Plans a stage from the end of the last one. Returns False if the chain ends with it."""
-    began = time.monotonic()
-    try:
-        with limits.reading(budget.seconds):
-            given = _start(found, stage, task)
-    except OutOfTimeError:
-        return found.fail("out_of_time", f"{stage.name}: no time was left for it")
-    except TaskError as error:
-        what = f"cannot start where '{task.problem.stages[len(found.stages) - 1].name}' ended"
-        return found.fail("not_joined", f"{stage.name}: {what}: {error}")
-    # The chain's seconds, not what is left of them: the same plan shall be the same file.
-    given = given.with_changes(
-        seconds=task.budget.seconds, iterations=budget.iterations, seed=budget.seed
-    )
-    plan = plan_type(stage.kind)._search(given, limits.rest(budget, began))
-    found.stages.append(plan)
-    return True if plan else found.fail(str(plan.status), f"{stage.name}: {plan.reason}")
-
-
-def _start(found: _Found, stage: Stage, task: Task) -> Task:
-    if not found.stages:
-        first: Task = task.problem.first
-        return first
-    return stage.task(start_at(stage, ends(found.stages)))
 
 
 __all__ = [

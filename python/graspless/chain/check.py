@@ -17,30 +17,35 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..frames import Matrix
+    from ..plan_files.chain import Join, Segment
     from ..tasks.chain import Stage
-    from . import Plan
 
 SAME_JOINTS = 1e-9  # [rad or m]
 SAME_POSE = 1e-6  # [m, rad]; a slide lays its object flat
 
 
-def check_joins(plan: Plan) -> list[str]:
-    """Returns the faults between the stages of a solved plan."""
-    stages, asked = plan.stages, plan.task.problem.stages
-    if [stage.name for stage in asked] != plan.names:
+def check_joins(
+    asked: Sequence[Stage],
+    names: list[str],
+    stages: Sequence[Any],
+    joins: Sequence[Join],
+    contents: Sequence[Segment],
+) -> list[str]:
+    """Returns the faults between the stages of a solved plan; `asked` are those of its task."""
+    if [stage.name for stage in asked] != names:
         return ["plan: the stages are not those of the task"]
-    if len(plan.joins) != len(stages) - 1:
+    if len(joins) != len(stages) - 1:
         return ["plan: there is not one join between each two stages"]
     faults = []
     for k, stage in enumerate(stages[1:], start=1):
-        where = f"stage {k} '{plan.names[k]}'"
+        where = f"stage {k} '{names[k]}'"
         faults += [f"{where}: {fault}" for fault in _continuity(stages[:k], stage)]
-        if join(stages[:k]) != plan.joins[k - 1].model_dump(mode="json"):
+        if join(stages[:k]) != joins[k - 1].model_dump(mode="json"):
             faults.append(f"{where}: the join before it is not what the stage before it left")
     for k, stage in enumerate(stages):
         wrong = _wrong_task(stage, asked[k], stages[:k])
-        faults += [f"stage {k} '{plan.names[k]}': {wrong}"] if wrong else []
-    return faults + _check_contents(plan)
+        faults += [f"stage {k} '{names[k]}': {wrong}"] if wrong else []
+    return faults + _check_contents(contents, stages)
 
 
 def _wrong_task(stage: Any, asked: Stage, before: Sequence[Any]) -> str:
@@ -103,12 +108,12 @@ def _apart(X_A: Matrix, X_B: Matrix) -> float:
     return max(float(np.linalg.norm(X_A[:3, 3] - X_B[:3, 3])), angle)
 
 
-def _check_contents(plan: Plan) -> list[str]:
+def _check_contents(contents: Sequence[Segment], stages: Sequence[Any]) -> list[str]:
     """Returns a fault if the list of all segments differs from the stages."""
-    listed = [(s.name, s.stage, s.segment) for s in plan.contents]
+    listed = [(s.name, s.stage, s.segment) for s in contents]
     found = [
         (segment.name, k, i)
-        for k, stage in enumerate(plan.stages)
+        for k, stage in enumerate(stages)
         for i, segment in enumerate(stage.segments)
     ]
     return [] if listed == found else ["plan: the list of segments is not that of the stages"]
