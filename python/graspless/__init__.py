@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         view,
     )
     from ._api import certify, check, plan
+    from ._load import load_task
     from ._plan import Plan
     from .batches import batch
     from .errors import TaskError
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from .picking import pick
     from .plan_files import load_plan
     from .simulation import simulate
-    from .tasks import Task, load_task
+    from .tasks import Task
     from .timing import Trajectory, time
 
 __version__ = "0.1.0"
@@ -97,7 +98,7 @@ _HOMES = {
     "Trajectory": "timing",
     "time": "timing",
     "Task": "tasks",
-    "load_task": "tasks",
+    "load_task": "_load",
     "TaskError": "errors",
 }
 

@@ -6,27 +6,26 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, overload
 
 from . import limits, proving
-from ._arguments import require_path
+from ._load import as_task
 from .errors import TaskError
 from .kinds import plan_type
 from .plan_files import as_plan
 from .proving import proof
-from .tasks import Task, is_problem, load_task, task_from_dict
 
 MOST_SEEDS = 20  # of a search for a plan that is certified
 SEEDS = 2**64  # number of seeds
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from . import carry, clasp, fingertip, pinch, planning, slide
     from ._plan import Plan
     from .scene import EdgeCertificate
-    from .tasks import PlanT
+    from .tasks import PlanT, Task
 
 
 @overload
@@ -218,17 +217,6 @@ def plan_certified(
         if fewest == 0:
             break
     return best
-
-
-def as_task(task: Any) -> Task[Any, Any, Any]:
-    """Returns a task, or makes it of a problem, of the fields of a task file or of the file."""
-    if isinstance(task, Task):
-        return task
-    if is_problem(task):
-        return Task.of(task)
-    if isinstance(task, Mapping):
-        return task_from_dict(dict(task), "task", resolve=True)
-    return load_task(require_path("task", task, "a graspless.Task, a Problem, a dict"))
 
 
 def check(plan: Plan | str | Path, *, certify: bool = False) -> list[str]:

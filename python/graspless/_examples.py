@@ -9,9 +9,9 @@ import shutil
 from pathlib import Path
 
 from . import _api, _data, progress, report, view
+from ._load import load_task
 from .errors import TaskError
 from .kinds import KINDS
-from .tasks import load_task
 
 
 def names() -> dict[str, str]:

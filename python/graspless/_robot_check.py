@@ -62,9 +62,9 @@ def _faults(robot: Robot, file: Path) -> list[str]:
     from .inspection import check
     from .tasks.clasp.hand import Hand as ClaspHand
     from .tasks.clasp.hand import build_hand as build_clasp_hand
+    from .tasks.reading import read_yaml
     from .tasks.slide.build import build_hand
     from .tasks.slide.model import Hand
-    from .tasks.source import read_yaml
 
     source = read_yaml(file)
     if "thumb" in source.given():

@@ -265,8 +265,9 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
 
 def _plan(options: argparse.Namespace) -> int:
     from . import _api, files, limits, report
+    from ._load import load_task
     from .proving.cli import searched
-    from .tasks import load_task, read_task
+    from .tasks import read_task
 
     to_stdout = options.output == "-"
     if not to_stdout:
@@ -303,7 +304,7 @@ def _plan(options: argparse.Namespace) -> int:
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
     """Returns the task with the values of the command line; errors name the flags."""
-    from .tasks import searches
+    from .tasks.kind import searches
 
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
     if options.search is not None and options.search not in (choices := searches(task.kind)):

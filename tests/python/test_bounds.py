@@ -12,7 +12,7 @@ import pytest
 import graspless
 from graspless import TaskError
 from graspless.tasks import task_from_dict
-from graspless.tasks.source import parse_yaml
+from graspless.tasks.reading import parse_yaml
 from tasks_common import GOOD, changed, fault, run
 
 LAUGHS = "kind: slide\na: &a [x, x, x, x, x, x, x, x, x, x]\n" + "".join(

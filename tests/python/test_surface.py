@@ -24,7 +24,7 @@ from graspless import (
     robot,
     slide,
 )
-from graspless.tasks import is_problem
+from graspless.tasks.kind import is_problem
 from graspless.tasks.statement import difference
 from tasks_common import without_clock
 

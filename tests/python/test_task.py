@@ -17,8 +17,8 @@ import graspless
 from graspless import TaskError, _data, frames, slide
 from graspless.tasks import task_from_dict
 from graspless.tasks.clouds import read_cloud
+from graspless.tasks.reading import parse_yaml
 from graspless.tasks.slide import model
-from graspless.tasks.source import parse_yaml
 from tasks_common import GOOD, changed, fault
 
 CARD = "rectangle: {size: [0.10, 0.08]}"

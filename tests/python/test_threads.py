@@ -11,7 +11,7 @@ from clasp_common import PURSE
 from fingertip_common import PUSH
 from graspless._data import directory
 from graspless.planning import Budget
-from graspless.tasks import load_task, read_task
+from graspless.tasks import read_task
 from tasks_common import GOOD, changed, without_clock
 
 SEEDS = (1, 2)
@@ -21,9 +21,9 @@ TASKS = {
         changed("locations_per_side: 5", "locations_per_side: 5, threads: 2", PUSH),
         "fingertip.yaml",
     ),
-    "carried fingertips": lambda: load_task(directory("examples") / "12_t42_tumble.yaml"),
+    "carried fingertips": lambda: graspless.load_task(directory("examples") / "12_t42_tumble.yaml"),
     "clasp": lambda: read_task(PURSE, "clasp.yaml"),
-    "carry": lambda: load_task(directory("examples") / "24_carry_bar.yaml"),
+    "carry": lambda: graspless.load_task(directory("examples") / "24_carry_bar.yaml"),
 }
 
 

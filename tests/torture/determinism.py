@@ -67,7 +67,7 @@ CONDITIONS = (
 
 def make_task(kind, i, threads=1):
     """Returns the fields of task `i`: an example with another seed, pose and numbers."""
-    from graspless.tasks.source import read_yaml
+    from graspless.tasks.reading import read_yaml
 
     names = KINDS[kind]
     fields = read_yaml(EXAMPLES / f"{names[i % len(names)]}.yaml").data

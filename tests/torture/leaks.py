@@ -20,7 +20,7 @@ from pathlib import Path
 
 import graspless
 from graspless import _data
-from graspless.tasks.source import read_yaml
+from graspless.tasks.reading import read_yaml
 
 EXAMPLES = {
     "slide": "01_slide_card.yaml",

@@ -126,7 +126,7 @@ def _by_name(
     option: str, path: Path | None, is_valid: Callable[[Any], bool], should: str
 ) -> dict[str, Any]:
     """Returns the values of a YAML file by the names of the meshes; nothing without a file."""
-    from graspless.tasks.source import read_yaml
+    from graspless.tasks.reading import read_yaml
 
     if path is None:
         return {}

@@ -214,7 +214,8 @@ def sweep(output: Path) -> None:
 
 
 def _read(job: Job) -> Task:
-    from ..tasks import load_task, task_from_dict
+    from .._load import load_task
+    from ..tasks import task_from_dict
 
     if job.fault is not None:
         raise TaskError(job.fault)

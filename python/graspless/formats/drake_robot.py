@@ -13,7 +13,7 @@ from .. import geometry
 from .._xml import parse
 from ..simulation.robots import Gains, gains, untested_pairs
 from ..simulation.settings import Fingertip, Servo
-from ..tasks.robots import mesh_path
+from ..tasks.meshes import mesh_path
 from ..view.visuals import UnreadableError, read_visual, warn_once
 from .drake_sdf import Meshes, numbers
 

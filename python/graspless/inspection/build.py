@@ -284,7 +284,7 @@ class _Builder:
         return [("home", self.groups["arm"], values)]
 
     def _pairs(self) -> dict[Pair, str]:
-        found = find_pairs(self.tree, self.palm, self.arm)
+        found = find_pairs(self.tree, self.palm, self.arm.base)
         always, never = (sum(r == why for r in found.values()) for why in ("Always", "Never"))
         shown = f"{always} always, {never} never in contact"
         self.find("disable_collisions", shown, "in random configurations")

@@ -11,7 +11,7 @@ from xml.sax.saxutils import quoteattr, unescape
 
 from .. import frames
 from .._xml import parse
-from ..tasks.robots import mesh_path, package_of
+from ..tasks.meshes import mesh_path, package_of
 
 if TYPE_CHECKING:
     import xml.etree.ElementTree as ET

@@ -11,19 +11,18 @@ from .. import scene
 
 if TYPE_CHECKING:
     from ..frames import Matrix
-    from .arm import Arm
     from .palm import Palm
     from .tree import Tree
 
 Pair = tuple[str, str]
 
 
-def find_pairs(tree: Tree, palm: Palm, arm: Arm) -> dict[Pair, str]:
+def find_pairs(tree: Tree, palm: Palm, base: int) -> dict[Pair, str]:
     """Returns the pairs with the reason of an SRDF: Always, Never, or Default if neither moves.
 
     Fingers may always meet, however rarely they do.
     """
-    moved = moved_links(tree, palm, arm)
+    moved = moved_links(tree, palm, base)
     always, never = scene.sample_contacts(tree.robot, links=moved)
     finger = _finger_of(tree, palm)
     found = {(tree.links[a], tree.links[b]): "Always" for a, b in always}
@@ -38,10 +37,10 @@ def find_pairs(tree: Tree, palm: Palm, arm: Arm) -> dict[Pair, str]:
     return found
 
 
-def moved_links(tree: Tree, palm: Palm, arm: Arm) -> list[int]:
-    """Returns the links that the joints of arm and hand move."""
+def moved_links(tree: Tree, palm: Palm, base: int) -> list[int]:
+    """Returns the links that the joints of the hand and of an arm on body `base` move."""
     path = tree.path(palm.body)
-    at = path.index(arm.base) + 1
+    at = path.index(base) + 1
     first = path[at:] or list(tree.children[palm.body])
     return [link for body in first[: 1 if path[at:] else None] for link in tree.links_below(body)]
 

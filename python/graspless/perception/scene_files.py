@@ -15,6 +15,7 @@ from .. import files, frames
 from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
 from ..errors import TaskError, explain
 from ..tasks.rays import RayCamera, camera_fields
+from ..tasks.reading import read_yaml
 from ..tasks.shapes import (
     Fields,
     NotNegative,
@@ -24,7 +25,7 @@ from ..tasks.shapes import (
     Positive,
     pose_matrix,
 )
-from ..tasks.source import Source, read_yaml
+from ..tasks.source import Source
 from .arrays import read_arrays
 
 if TYPE_CHECKING:

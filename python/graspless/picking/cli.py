@@ -115,7 +115,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _given(options: argparse.Namespace) -> dict[str, Any]:
     """Returns the arguments of `pick`: of the task file, and in their place those of the flags."""
-    from ..tasks.source import parse_yaml
+    from ..tasks.reading import parse_yaml
     from .task import read_pick
 
     given = read_pick(options.scene)

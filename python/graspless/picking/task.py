@@ -11,9 +11,10 @@ from pydantic import Field, model_validator
 
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
+from ..tasks.reading import read_yaml
 from ..tasks.scenes import RESPECT, Respect
 from ..tasks.shapes import Fields, Positive
-from ..tasks.source import Source, read_yaml
+from ..tasks.source import Source
 from .place_fields import Place
 from .strategies import STRATEGIES
 

@@ -12,9 +12,10 @@ from .._arguments import require_path
 from .._plan import AnyPlan
 from ..errors import TaskError, told
 from ..proving.proof import Proof
-from ..tasks import task_from_dict, task_kind
-from ..tasks.bounds import MOST_DIGITS
-from ..tasks.source import Source, parse_yaml, read_text
+from ..tasks import task_from_dict
+from ..tasks.kind import task_kind
+from ..tasks.reading import parse_yaml, read_text
+from ..tasks.source import MOST_DIGITS, Source
 
 if TYPE_CHECKING:
     from pathlib import Path

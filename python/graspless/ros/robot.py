@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._xml import parse
 from ..errors import TaskError, explain
-from ..tasks.robots import package_of
+from ..tasks.meshes import package_of
 from ..tasks.statement import pose_fields
 from .messages import RefusedError
 

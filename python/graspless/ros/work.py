@@ -24,7 +24,7 @@ from ..perception.clouds import view_of_cloud, view_of_organized
 from ..picking import pick
 from ..plan_files import read_plan
 from ..tasks import task_from_dict
-from ..tasks.source import parse_yaml
+from ..tasks.reading import parse_yaml
 from ..timing.squeeze import squeezed
 from ..timing.trajectory import stages_of
 from .jobs import CheckJob, Found, PickJob, TaskJob

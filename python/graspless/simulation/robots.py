@@ -13,8 +13,7 @@ import numpy as np
 from .. import frames, geometry
 from .._xml import parse
 from ..errors import TaskError
-from ..tasks.meshes import FOREIGN
-from ..tasks.robots import mesh_path
+from ..tasks.meshes import FOREIGN, mesh_path
 from .settings import Servo, Solver
 
 if TYPE_CHECKING:

@@ -4,54 +4,25 @@
 
 from __future__ import annotations
 
-import importlib
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Generic, Literal, Protocol, overload
+from typing import TYPE_CHECKING, Any, Generic
 
 from typing_extensions import TypeVar
 
+from .. import planning
 from ..errors import TaskError, told
-from ..kinds import KINDS, part
-from ..limits import limit_reading, uncounted
+from ..kinds import part
+from ..limits import limit_reading
+from .kind import problem_kind, task_kind
 from .meshes import check_files
-from .source import Source, parse_yaml, read_text
+from .reading import parse_yaml
+from .source import Source
 
 if TYPE_CHECKING:
-    import pydantic
-
-    from .. import carry, chain, clasp, fingertip, pinch, planning, slide
-    from .._plan import Plan
-
-
-class TaskKind(Protocol):
-    """Protocol of the modules that handle the tasks of a kind."""
-
-    SEARCHES: tuple[str, ...]
-    """Choices of options.search, the default last; none where there is one way to search."""
-
-    Fields: type[pydantic.BaseModel]
-    """Model of the task file, with kind, options and budget."""
-
-    def resolve(self, named: Any, source: Source, directory: Path) -> tuple[Any, Source]:
-        """Returns the fields with the content of all files that they name, and the source of those
-        from another file.
-        """
-
-    def require_resolved(self, fields: Any, source: Source) -> None:
-        """Raises TaskError unless fields of a plan file name no file that is not beside it."""
-
-    def build(self, fields: Any, source: Source, other: Source) -> tuple[Any, Any]:
-        """Returns the problem of resolved fields, and the robot that executes the plan if it is not
-        part of the problem.
-        """
-
-    def options(self, fields: Any, problem: Any, source: Source) -> Any:
-        """Returns the options."""
-
-    def in_force(self, fields: Any, problem: Any, options: Any) -> dict[str, Any]:
-        """Returns the fields with all values in force, independent of later defaults."""
+    from .kind import TaskKind
 
 
 ProblemT = TypeVar("ProblemT", default=Any)
@@ -112,10 +83,9 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         arm : tasks.fingertip.Arm, optional
             Robot that carries the fingertips.
         """
-        from .. import planning
-
-        module = importlib.import_module(f"..{problem_kind(problem)}", __package__)
-        options = module.Options() if options is None else options
+        problem_kind(problem)  # raises unless it is one
+        if options is None:
+            options = sys.modules[type(problem).__module__].Options()  # those beside it
         return cls(problem, options, planning.Budget() if budget is None else budget, arm=arm)
 
     @property
@@ -140,7 +110,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         if self._fields is None:
             from .statement import stated
 
-            self._fields = stated(self)
+            self._fields = stated(self.kind, self.problem, self.options, self.budget, self.arm)
         return self._fields
 
     def to_dict(self) -> dict[str, Any]:
@@ -204,62 +174,6 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     def __reduce__(self) -> Any:
         return task_from_dict, (self.to_dict(), "pickled task")
-
-
-def problem_kind(problem: Any) -> str:
-    """Returns the kind of a Problem. Raises TaskError if it is not a Problem."""
-    room = type(problem).__module__.removeprefix("graspless.").removeprefix("_core.")
-    kind = room.removeprefix("tasks.")
-    if kind not in KINDS:
-        raise TaskError(f"problem: {problem!r}: should be a Problem of a planner")
-    return kind
-
-
-def is_problem(value: Any) -> bool:
-    """Returns True if the value is the Problem of a planner."""
-    return type(value).__name__ == "Problem" and type(value).__module__.startswith("graspless.")
-
-
-@overload
-def load_task(path: str | Path, kind: Literal["slide"], *, trust: bool = False) -> slide.Task: ...
-@overload
-def load_task(path: str | Path, kind: Literal["pinch"], *, trust: bool = False) -> pinch.Task: ...
-@overload
-def load_task(
-    path: str | Path, kind: Literal["fingertip"], *, trust: bool = False
-) -> fingertip.Task: ...
-@overload
-def load_task(path: str | Path, kind: Literal["clasp"], *, trust: bool = False) -> clasp.Task: ...
-@overload
-def load_task(path: str | Path, kind: Literal["carry"], *, trust: bool = False) -> carry.Task: ...
-@overload
-def load_task(path: str | Path, kind: Literal["chain"], *, trust: bool = False) -> chain.Task: ...
-@overload
-def load_task(
-    path: str | Path, kind: None = None, *, trust: bool = False
-) -> Task[Any, Any, Plan]: ...
-def load_task(path: str | Path, kind: str | None = None, *, trust: bool = False) -> Any:
-    """Reads a task file and everything that it names.
-
-    Parameters
-    ----------
-    path : str or Path
-        A YAML file, see docs/task-files.md. Paths in it are relative to it.
-    kind : str, optional
-        Kind that the task must have: slide, pinch, fingertip, clasp, carry or chain. Type checkers
-        then know the type of its plan.
-    trust : bool
-        Let its xacro files read any file and run code, see docs/security.md.
-
-    Raises
-    ------
-    TaskError
-        A ValueError whose lines read ``file:line: field: value: what it may be``.
-    """
-    task = read_task(read_text(path), str(path), Path(path).resolve().parent, trust=trust)
-    if kind is not None and task.kind != kind:
-        raise task.source.error(("kind",), f"should be '{kind}'")
-    return task
 
 
 def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool = False) -> Task:
@@ -327,27 +241,6 @@ def build_task(fields: Any, source: Source, other: Source) -> Task:
     return _with_search(fields, kind.build(fields, source, other), source)
 
 
-def task_kind(source: Source) -> TaskKind:
-    """Returns the module that handles this kind of document. Raises TaskError if it is unknown."""
-    name = source.data.get("kind") if isinstance(source.data, dict) else None
-    choices = " or ".join(f"'{kind}'" for kind in KINDS)
-    if name is None:
-        raise source.error(("kind",), f"missing; should be {choices}")
-    if name == "pick":
-        raise source.error(("kind",), "is planned by `graspless pick`, with this file")
-    if name not in KINDS:
-        raise source.error(("kind",), f"should be {choices}")
-    with uncounted():
-        kind: TaskKind = part("tasks", name)
-    return kind
-
-
-def searches(kind: str) -> tuple[str, ...]:
-    """Returns the choices of options.search."""
-    choices: tuple[str, ...] = part("tasks", kind).SEARCHES
-    return choices
-
-
 def _is_plan(text: str) -> bool:
     if not text.lstrip().startswith("{"):  # a task may be JSON too, as all JSON is YAML
         return False
@@ -379,4 +272,4 @@ def _with_search(fields: Any, built: tuple[Any, Any], source: Source) -> Task:
     return Task(problem, options, budget, arm=arm, fields=fields, source=source)
 
 
-__all__ = ["Task", "TaskError", "load_task", "read_task", "task_from_dict"]
+__all__ = ["Task", "TaskError", "read_task", "task_from_dict"]

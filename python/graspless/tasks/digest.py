@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ET
 from typing import Any
 
 from .._xml import parse
-from .robots import mesh_path
+from .meshes import mesh_path
 
 
 def digest(document: dict[str, Any]) -> str:

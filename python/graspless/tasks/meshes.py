@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checksums of mesh files, which are not part of a plan file."""
+"""Mesh files of a task: their names in a URDF, and their checksums for a plan file."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from xml.parsers import expat
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -68,10 +69,56 @@ def check_files(fields: Any, source: Source) -> None:
             raise source.error(("files",), f"{name}: has changed since the plan was made")
 
 
+def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> set[Path]:
+    """Returns the paths of a URDF's meshes, whether they exist or not.
+
+    Raises
+    ------
+    ValueError
+        The text is one that other readers of XML may understand in another way.
+    """
+    names: list[str] = []
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        if name == "mesh":
+            names.append(attributes.get("filename", ""))
+
+    def instruct(_: str, data: str) -> None:
+        if "<" in data or ">" in data:
+            refuse()
+
+    def refuse(*_: Any) -> None:
+        raise ValueError("should have neither a DOCTYPE nor elements in <? ?>")
+
+    reader = expat.ParserCreate()  # without namespaces, which urdfdom does not know
+    reader.StartElementHandler = start
+    reader.ProcessingInstructionHandler, reader.StartDoctypeDeclHandler = instruct, refuse
+    try:
+        reader.Parse(urdf, True)
+    except expat.ExpatError as error:
+        raise ValueError(f"is not well-formed XML: {error}") from None
+    return {mesh_path(name, packages, directory) for name in names}
+
+
+def package_of(name: str) -> str | None:
+    """Returns the package of a mesh's name; None unless that begins with package://."""
+    if not name.startswith("package://"):
+        return None
+    return name.removeprefix("package://").lstrip("/").partition("/")[0]
+
+
+def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
+    """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
+    if name.startswith("package://"):
+        package, _, rest = name.removeprefix("package://").lstrip("/").partition("/")
+        return Path(packages.get(package, package)) / rest.lstrip("/")
+    if name.startswith("file://"):
+        return Path(name.removeprefix("file://"))
+    return Path(directory or ".") / name
+
+
 def _named(value: Any, place: str = "") -> set[Path]:
     """Returns the mesh files that the fields of a task name. `place` is for errors."""
-    from .robots import mesh_files
-
     if isinstance(value, list):
         return set().union(*(_named(item, f"{place}[{i}]") for i, item in enumerate(value)))
     if not isinstance(value, dict):

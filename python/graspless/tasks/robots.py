@@ -7,14 +7,13 @@ from __future__ import annotations
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
-from xml.parsers import expat
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from .._core import robot as robots
 from .._xml import parse
-from .meshes import is_mesh
+from .meshes import is_mesh, mesh_files, mesh_path
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
 
@@ -200,51 +199,3 @@ def collision_meshes(robot: Robot) -> set[Path]:
         for mesh in parse(robot.urdf_text or "").iterfind(".//collision//mesh")
     ]
     return {mesh_path(name, robot.packages, robot.directory) for name in names}
-
-
-def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> set[Path]:
-    """Returns the paths of a URDF's meshes, whether they exist or not.
-
-    Raises
-    ------
-    ValueError
-        The text is one that other readers of XML may understand in another way.
-    """
-    names: list[str] = []
-
-    def start(name: str, attributes: dict[str, str]) -> None:
-        if name == "mesh":
-            names.append(attributes.get("filename", ""))
-
-    def instruct(_: str, data: str) -> None:
-        if "<" in data or ">" in data:
-            refuse()
-
-    def refuse(*_: Any) -> None:
-        raise ValueError("should have neither a DOCTYPE nor elements in <? ?>")
-
-    reader = expat.ParserCreate()  # without namespaces, which urdfdom does not know
-    reader.StartElementHandler = start
-    reader.ProcessingInstructionHandler, reader.StartDoctypeDeclHandler = instruct, refuse
-    try:
-        reader.Parse(urdf, True)
-    except expat.ExpatError as error:
-        raise ValueError(f"is not well-formed XML: {error}") from None
-    return {mesh_path(name, packages, directory) for name in names}
-
-
-def package_of(name: str) -> str | None:
-    """Returns the package of a mesh's name; None unless that begins with package://."""
-    if not name.startswith("package://"):
-        return None
-    return name.removeprefix("package://").lstrip("/").partition("/")[0]
-
-
-def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
-    """Returns the path of a URDF's mesh: package://, file://, or relative to `directory`."""
-    if name.startswith("package://"):
-        package, _, rest = name.removeprefix("package://").lstrip("/").partition("/")
-        return Path(packages.get(package, package)) / rest.lstrip("/")
-    if name.startswith("file://"):
-        return Path(name.removeprefix("file://"))
-    return Path(directory or ".") / name

@@ -1,19 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""YAML with the line number of each field."""
+"""Data that people write, with the line of each field, and messages about their faults."""
 
 from __future__ import annotations
 
 import contextlib
 import difflib
+import math
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError, explain
-from ..limits import uncounted, without_collector
-from .bounds import MOST_DIGITS, check_yaml, faults
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -22,6 +20,9 @@ if TYPE_CHECKING:
 
 Location = tuple["str | int", ...]
 MOST_FAULTS = 20  # lines of one message
+DEEPEST = 100  # levels of lists and mappings in each other
+MOST_DIGITS = 40  # of a whole number
+LARGEST = 1e30  # magnitude of a number: its square and cube are finite too
 
 
 @dataclass
@@ -47,13 +48,13 @@ class Source:
         """Returns a message in one line: file:line: field: value: allowed values."""
         place = tuple(location)
         value, known = self._look_up(place)
-        shown = f"{_shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
+        shown = f"{shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
         return f"{self.where(place)}{shown}{what}"
 
     def where(self, place: Location) -> str:
         """Returns the beginning of a message: file:line: field."""
         file = f"{self.file}:{self.line(place)}" if self.lines else self.file
-        return f"{file}: {_dotted(place)}"
+        return f"{file}: {dotted(place)}"
 
     def depth(self, place: Location) -> int:
         """Returns the number of steps of the path to a field that exist in the data."""
@@ -117,11 +118,11 @@ class Source:
             fields = sorted(_fields_at(model, fault["loc"])) if kind == "model_type" else []
             names = f" with some of: {', '.join(fields)}" if fields else ""
             value = self._look_up(place)[0]
-            shown = f"{_shorten(value)}: " if isinstance(value, list) else ""
+            shown = f"{shorten(value)}: " if isinstance(value, list) else ""
             return self.message(place, f"{shown}should be a mapping{names}")
         text = re.sub(r"^(Value error, |Input )", "", fault["msg"])
         value = self._look_up(place)[0]
-        shown = f"{_shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
+        shown = f"{shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
         return self.message(place, shown + text[:1].lower() + text[1:])
 
 
@@ -140,134 +141,6 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
         if named and named[1] == location[0]:  # the core names the field too
             raise source.error((named[1], named[2]), named[3]) from None
         raise source.error(location, text) from None
-
-
-def read_text(path: str | Path) -> str:
-    """Returns the text of a file. Raises TaskError if it cannot be read."""
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise TaskError(f"{path}: not a text file in UTF-8") from None
-
-
-def read_yaml(path: str | Path) -> Source:
-    """Reads a YAML file with the line of each field.
-
-    Raises
-    ------
-    TaskError
-        The file is missing, is not YAML, is empty, or names a field twice.
-    """
-    return parse_yaml(read_text(path), str(path))
-
-
-def parse_yaml(text: str, file: str) -> Source:
-    """Parses text, like `read_yaml`."""
-    with uncounted():
-        import yaml
-
-    lines: dict[Location, int] = {}
-    try:
-        with without_collector():
-            data = _load(text, file, lines)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = mark.line + 1 if mark else 1
-        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
-    except TaskError:
-        raise
-    except Exception as error:  # text that libyaml cannot encode
-        raise TaskError(f"{file}:1: not valid YAML: {error}") from error
-    if not isinstance(data, dict):
-        raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
-    return Source(file, data, lines)
-
-
-def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
-    import yaml
-
-    # libyaml's parser where PyYAML has it: ten times as fast, with the same nodes and marks.
-    make = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    check_yaml(text, file, make)
-    loader = make(text)
-    loader.yaml_implicit_resolvers = {
-        key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
-        for key, rules in yaml.SafeLoader.yaml_implicit_resolvers.items()
-    }
-    for first in "-+.0123456789":  # YAML 1.1 takes 1e-3 for text; nobody who writes it does
-        rules = loader.yaml_implicit_resolvers.setdefault(first, [])
-        rules.insert(0, ("tag:yaml.org,2002:float", _FLOAT))
-    try:
-        root = loader.get_single_node()
-        _note_lines(root, (), lines, file, (), loader)
-        return None if root is None else loader.construct_document(root)
-    finally:
-        loader.dispose()
-
-
-_FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
-
-
-def _note_lines(
-    node: Any,
-    place: Location,
-    lines: dict[Location, int],
-    file: str,
-    above: tuple[int, ...],
-    loader: Any,
-) -> None:
-    import yaml
-
-    if node is None:
-        return
-    if id(node) in above:
-        raise TaskError(f"{file}:{node.start_mark.line + 1}: an alias that contains itself")
-    above = (*above, id(node))
-    lines.setdefault(place, node.start_mark.line + 1)
-    if isinstance(node, yaml.MappingNode):
-        seen = set()
-        for key, value in node.value:
-            if not isinstance(key, yaml.ScalarNode):
-                raise TaskError(f"{file}:{key.start_mark.line + 1}: a field's name must be a word")
-            if key.value == "on":  # YAML 1.1 takes it for true, nobody who names a support does
-                key.tag = "tag:yaml.org,2002:str"
-            if key.tag not in ("tag:yaml.org,2002:str", "tag:yaml.org,2002:merge"):
-                kind = {"bool": "true or false", "null": "nothing"}.get(
-                    key.tag.rpartition(":")[2], "a number"
-                )
-                where = f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}"
-                raise TaskError(f"{where}YAML takes this name for {kind}; put it in quotes")
-            if key.value in seen:
-                raise TaskError(
-                    f"{file}:{key.start_mark.line + 1}: {_dotted((*place, key.value))}given twice"
-                )
-            seen.add(key.value)
-            inner = (*place, key.value)
-            lines[inner] = key.start_mark.line + 1
-            _note_lines(value, inner, lines, file, above, loader)
-    elif isinstance(node, yaml.SequenceNode):
-        for i, value in enumerate(node.value):
-            _note_lines(value, (*place, i), lines, file, above, loader)
-    else:
-        _require_value(node, place, file, loader)
-
-
-def _require_value(node: Any, place: Location, file: str, loader: Any) -> None:
-    """Raises TaskError if text is not what its tag says, such as !!timestamp x."""
-    import yaml
-
-    try:
-        loader.construct_object(node)
-    except yaml.YAMLError:
-        raise
-    except Exception as error:  # PyYAML's constructors raise whatever they stumble over
-        where = f"{file}:{node.start_mark.line + 1}: {_dotted(place)}{_shorten(node.value)}"
-        kind = node.tag.rpartition(":")[2]
-        long = f" of at most {MOST_DIGITS} digits" if kind == "int" else ""
-        raise TaskError(f"{where}: should be a value of type {kind}{long}") from error
 
 
 def _fields_at(model: Any, location: Location) -> set[str]:
@@ -298,14 +171,16 @@ def _models_in(annotation: Any) -> list[Any]:
     return [model for part in get_args(annotation) for model in _models_in(part)]
 
 
-def _dotted(place: Location) -> str:
+def dotted(place: Location) -> str:
+    """Returns the name of a field in a message."""
     text = ""
     for key in place:
         text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else str(key)
     return f"{text}: " if text else ""
 
 
-def _shorten(value: Any) -> str:
+def shorten(value: Any) -> str:
+    """Returns a value in a message."""
     try:
         text = value if isinstance(value, str) and value.isprintable() else repr(value)
     except ValueError:  # more digits than Python writes
@@ -313,3 +188,43 @@ def _shorten(value: Any) -> str:
     if isinstance(value, bool):
         text = str(value).lower()
     return text if len(text) <= 60 else text[:57] + "..."
+
+
+def faults(data: Any) -> Iterator[tuple[Location, str]]:
+    """Yields place and fault of values that no field can have: too deep, too large, no text."""
+    pending: list[tuple[Location, Any]] = [((), data)]
+    while pending:
+        place, value = pending.pop()
+        if isinstance(value, (dict, list, tuple)):
+            if len(place) > DEEPEST:
+                yield place[:3], f"nested deeper than {DEEPEST} levels"
+                return
+            items = value.items() if isinstance(value, dict) else enumerate(value)
+            for key, item in items:
+                if isinstance(key, str) and (what := _fault(key)):
+                    yield place, f"the name {key!r} {what}"
+                elif type(item) in _CHECKED and not (
+                    type(item) is float and -LARGEST <= item <= LARGEST
+                ):
+                    pending.append(((*place, key), item))
+        elif what := _fault(value):
+            yield place, what
+
+
+_CHECKED = {dict, list, tuple, int, float, str}
+
+
+def _fault(value: Any) -> str | None:
+    """Returns why no field can have this value, or None."""
+    if isinstance(value, str):
+        if "\0" in value:
+            return "should not contain the character NUL"
+        try:
+            value.encode()
+        except UnicodeEncodeError:
+            return "should be text, without halves of surrogate pairs"
+    elif isinstance(value, int) and abs(value) >= 10**MOST_DIGITS:
+        return f"should have at most {MOST_DIGITS} digits"
+    elif isinstance(value, float) and math.isfinite(value) and abs(value) > LARGEST:
+        return f"should lie in [-{LARGEST:g}, {LARGEST:g}]"
+    return None

@@ -21,31 +21,31 @@ from .source import Source
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .. import planning
     from ..frames import Matrix
-    from . import Task
 
 SAME = 1e-9  # [m, rad, N]; poses are written as quaternions
 
 
-def stated(task: Task) -> Any:
-    """Returns the fields of a task that was made of a problem.
+def stated(name: str, problem: Any, options: Any, budget: planning.Budget, arm: Any) -> Any:
+    """Returns the fields of a task of kind `name` that was made of a problem.
 
     Raises
     ------
     TaskError
         A task file cannot state the problem; names the part that it would change.
     """
-    kind = part("tasks", task.kind)
+    kind = part("tasks", name)
     if not hasattr(kind, "state"):
-        raise TaskError(f"a problem of kind {task.kind} must come from a task file")
-    document = {"kind": task.kind, **kind.state(task.problem, task.arm)}
+        raise TaskError(f"a problem of kind {name} must come from a task file")
+    document = {"kind": name, **kind.state(problem, arm)}
     source = Source("problem", document)
     fields = source.validate(kind.Fields)
     rebuilt, _ = kind.build(fields, source, source)
-    if wrong := difference(task.problem, rebuilt, "problem"):
+    if wrong := difference(problem, rebuilt, "problem"):
         raise TaskError(f"{wrong}: no task file can express it, so it cannot be saved or pickled")
-    update = kind.in_force(fields, task.problem, task.options)
-    update["budget"] = in_force(fields.budget, task.budget)
+    update = kind.in_force(fields, problem, options)
+    update["budget"] = in_force(fields.budget, budget)
     if getattr(fields, "robot", None) is not None:
         update["files"] = checksums(robot_meshes(fields.robot))
     return fields.model_copy(update=update)

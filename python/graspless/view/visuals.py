@@ -8,8 +8,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 from .. import _mesh_reader
-from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh
-from ..tasks.robots import mesh_path, package_of
+from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh, mesh_path, package_of
 
 if TYPE_CHECKING:
     from ..tasks.robots import Robot

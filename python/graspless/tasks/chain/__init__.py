@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from .joints import HOLDING, ON_SUPPORT, require_joined
 from .model import ChainTask, Options
-from .stages import Stage, read_stages, stages_of_plan
+from .stage import Stage
+from .stages import read_stages, stages_of_plan
 from .start import Held, State, start_at
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..source import Source
-    from .stages import Stage
+    from .stage import Stage
 
 ON_SUPPORT = ("slide", "pinch")  # kinds whose object is an outline on a support
 HOLDING = (*ON_SUPPORT, "clasp", "carry")  # after these the hand holds the object

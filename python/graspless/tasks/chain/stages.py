@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Stages of a chain as tasks of their kinds.
+"""Reading of the stages of a chain.
 
 A field of the stage itself takes precedence, then one of the file that it names, then one that
 the chain gives to all stages.
@@ -9,78 +9,22 @@ the chain gives to all stages.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...kinds import KINDS, part
-from ..documents import document_of
-from ..source import Source, read_yaml
+from ..reading import read_yaml
+from ..source import Source
 from .joints import require_held
 from .model import SHARED, ChainTask
+from .stage import Stage, StageSource
+from .start import hold_place
 
 if TYPE_CHECKING:
-    from .. import Task
     from ..source import Location
 
 STAGES = tuple(kind for kind in KINDS if kind != "chain")
 FILES = ("urdf", "srdf", "directory", "packages", "hand", "cloud", "file")
-
-
-@dataclass
-class StageSource(Source):
-    """Source of the fields of a stage, which can come from several places of one or two files."""
-
-    parts: list[tuple[Source, Location]] = field(default_factory=list)
-
-    @property
-    def name(self) -> str:
-        """Name of the stage; its kind by default."""
-        source, above = self.parts[0]
-        return str(source.data["stages"][above[1]].get("name", self.data["kind"]))
-
-    def where(self, place: Location) -> str:
-        """Returns the part that contains most of the path to a field; of several, the first."""
-
-        def known(of: tuple[Source, Location]) -> int:
-            source, above = of
-            return source.depth((*above, *place)) - len(above)
-
-        source, above = max(self.parts, key=known)
-        return source.where((*above, *place))
-
-
-@dataclass(frozen=True)
-class Stage:
-    """Stage whose start is not known yet.
-
-    Attributes
-    ----------
-    name : str
-    fields : SlideTask, FingertipTask, ClaspTask or CarryTask
-        Resolved fields. Those that the stage before it decides are placeholders.
-    source, other : Source
-        Sources of the fields and of those from another file, for error messages.
-    """
-
-    name: str
-    fields: Any
-    source: Source
-    other: Source
-
-    @property
-    def kind(self) -> str:
-        return str(self.fields.kind)
-
-    def task(self, fields: Any) -> Task:
-        """Returns the task, with the fields that the stage before it decided."""
-        from .. import build_task
-
-        return build_task(fields, self.source, self.other)
-
-    def document(self) -> dict[str, Any]:
-        """Returns the stage as in a plan file."""
-        return {"name": self.name, **document_of(self.fields)}
 
 
 def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage]:
@@ -196,8 +140,6 @@ def absolute(value: Any, directory: Path, key: str = "") -> Any:
 
 
 def _resolved(stage: StageSource, index: int, directory: Path) -> Stage:
-    from .start import hold_place
-
     kind = part("tasks", _kind(stage))
     if index > 0:
         hold_place(stage)

@@ -22,7 +22,7 @@ from .lying import lying
 if TYPE_CHECKING:
     from ...frames import Matrix
     from ..source import Location
-    from .stages import Stage, StageSource
+    from .stage import Stage, StageSource
 
 MUST_NOT = "must not be given: a stage starts where the one before it ended"
 

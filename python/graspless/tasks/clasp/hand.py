@@ -11,9 +11,10 @@ import numpy as np
 from pydantic import AfterValidator, Field
 
 from ..._core import clasp
+from ..reading import read_yaml
 from ..robots import stem
 from ..shapes import Fields, Point3
-from ..source import Source, read_yaml
+from ..source import Source
 
 if TYPE_CHECKING:
     from pathlib import Path

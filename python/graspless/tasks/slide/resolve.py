@@ -17,10 +17,11 @@ from ..documents import rows_of
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
+from ..reading import read_yaml
 from ..robot_files import resolve_robot
 from ..robots import robot_meshes, stem
 from ..shapes import pose_matrix
-from ..source import Source, read_yaml
+from ..source import Source
 from ..statement import pose_fields
 from . import model
 from .units import LARGEST, warn_of_units
