@@ -86,7 +86,7 @@ __all__ = [
 
 _HOMES = {
     "batch": "batches",
-    "Plan": "_plan",
+    "Plan": "_any_plan",
     "certify": "_api",
     "check": "_api",
     "export": "formats",

@@ -1,256 +1,47 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Base of the plans of all kinds: their task, their file, their pictures."""
+"""Type of the plans of all kinds. At runtime, `graspless.Plan` is their base class."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from matplotlib.figure import Figure
 
-    from . import planning
-    from .proving import Proof
+    from .proving.proof import Proof
     from .scene import EdgeCertificate
     from .tasks import Task
 
-Self = TypeVar("Self", bound="AnyPlan")
 
-
-class AnyPlan:
-    """Base of slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
-
-    False unless solved. Two plans are equal if their files are. Numbers are those of the file: a
-    plan that is saved and loaded is equal, bit by bit.
-    """
-
-    kind: ClassVar[str]
-    """Planner that made it: slide, pinch, fingertip, clasp or carry; chain: one per stage."""
-
-    proof: Proof | None = None
-    """Trials in the physics engine, if it was planned with `prove`. `check` reports a fault if the
-    plan was changed since."""
-
-    _planner: ClassVar[Any]  # its own plan() and check()
-    _task: Any = None
-    _document: dict[str, Any] | None = None  # the file's fields, until one is assigned
+@runtime_checkable
+class Plan(Protocol):
+    """Plan of any kind, or the reason of failure. isinstance(p, slide.Plan) tells the kind."""
 
     @property
-    def task(self) -> Task[Any, Any, Any]:
-        """Task that the plan was made for."""
-        if self._task is None:
-            raise AttributeError("a plan that no planner made has no task")
-        task: Task[Any, Any, Any] = self._task
-        return task
+    def kind(self) -> str: ...
+    @property
+    def task(self) -> Task[Any, Any, Any]: ...
+    @property
+    def seed(self) -> int: ...
+    @property
+    def status(self) -> Any: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def statistics(self) -> Any: ...
+
+    proof: Proof | None
 
     @property
-    def seed(self) -> int:
-        """Seed of all randomness."""
-        return self.task.seed
-
-    def to_json(self) -> str:
-        """Returns the text of the plan file.
-
-        Raises
-        ------
-        TaskError
-            The plan was made for a problem that no task file can state.
-        """
-        from .plan_files import text_of
-
-        return text_of(self)
-
-    def save(self, path: str | Path) -> None:
-        """Writes the plan file, whole or not at all.
-
-        Parameters
-        ----------
-        path : str or Path
-            Name of the file, by custom .json.
-        """
-        from . import files
-
-        files.write(path, self.to_json())
-
-    def plot(self) -> Figure:
-        """Returns the picture of the plan as a figure of matplotlib."""
-        from . import view
-
-        return view.figure(self._any)
-
-    def show(self) -> None:
-        """Shows the replay: inline in a notebook, otherwise in the web browser."""
-        from . import view
-
-        view.show(self._any)
-
-    def _repr_html_(self) -> str:
-        from . import view
-
-        return view.html(self._any)
-
-    @property
-    def _any(self) -> Plan:
-        plan: Any = self  # its kind has what is missing here
-        return plan  # type: ignore[no-any-return]
-
-    def __repr__(self) -> str:
-        plan = self._any
-        rows = ", ".join(f"{segment.name} {len(segment)}" for segment in plan.segments)
-        proof = "" if self.proof is None else f"; {self.proof}"
-        return f"<{self.kind} plan, {plan.status}: {rows or plan.reason}{proof}>"
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        super().__setattr__(name, value)
-        if name not in ("_task", "_document", "proof"):
-            super().__setattr__("_document", None)
-
-    def __eq__(self, other: object) -> bool:
-        if self is other or type(self) is not type(other):
-            return self is other
-        assert isinstance(other, AnyPlan)
-        if (self._fields(), self.proof) != (other._fields(), other.proof):
-            return False
-        return bool(self.task == other.task)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __copy__(self: Self) -> Self:
-        copy = self._made(self._fields(), self._task)
-        copy.proof = self.proof
-        return copy
-
-    def __deepcopy__(self: Self, memo: Any) -> Self:
-        return self.__copy__()
-
-    def __reduce__(self) -> Any:
-        from .plan_files import read_plan
-
-        return read_plan, (self.to_json(), "pickled plan")
-
-    def _fields(self) -> dict[str, Any]:
-        """Returns the fields of the plan file without head, proof and task, in plain types."""
-        if self._document is None:
-            from .plan_files.table import fields_of, table
-
-            self._document = fields_of(self, table(self.kind))
-        return self._document
-
-    @classmethod
-    def _made(cls: type[Self], fields: dict[str, Any], task: Any) -> Self:
-        """Returns the plan of a plan file's fields."""
-        from .plan_files.table import fill, table
-
-        plan = cls()
-        fill(plan, fields, table(cls.kind))
-        plan._task, plan._document = task, fields
-        return plan
-
-    @classmethod
-    def _of(cls: type[Self], found: Any, task: Any, **changes: Any) -> Self:
-        """Returns the planner's result with the numbers of the file; `changes` override `found`."""
-        from .plan_files.table import fields_of, table
-
-        return cls._made(fields_of(found, table(cls.kind), changes), task)
-
-    @classmethod
-    def _status(cls, name: str) -> Any:
-        """Returns the status of a name."""
-        return cls._planner.Status[name]
-
-    @classmethod
-    def _planned(cls: type[Self], problem: Any, options: Any, budget: Any) -> Self:
-        """Plans a problem made in Python. None means default options or budget."""
-        from .tasks import Task
-
-        task: Task[Any, Any, Any] = Task.of(problem, options, budget)
-        return cls._search(task, task.budget)
-
-    @classmethod
-    def _search(cls: type[Self], task: Any, budget: planning.Budget) -> Self:
-        """Plans; `budget` instead of the task's."""
-        try:
-            found = cls._planner.plan(task.problem, task.options, budget)
-        except ValueError as error:
-            name, _, what = str(error).partition(" ")
-            if not hasattr(task.options, name):
-                raise
-            raise task.source.error(("options", name), what) from None
-        plan = cls._of(found, task)
-        note = getattr(task._fields, "proposed", None)
-        if note is not None and hasattr(plan, "warnings"):  # a pinch has none
-            warned: Any = plan
-            warned.warnings = [note, *warned.warnings]
-        return plan
-
-    def _settings(self, options: Any, budget: Any) -> tuple[Any, Any]:
-        """Returns options and budget of a plan that goes on from this one; None: those of this."""
-        options = self.task.options if options is None else options
-        return options, self.task.budget if budget is None else budget
-
-    def _faults(self) -> list[str]:
-        """Returns the faults of a solved plan."""
-        return list(self._planner.check(self.task.problem, self, self.task.options))
-
-    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
-        """Returns the certificates of a solved plan, each with the words before its doubts."""
-        task = self.task
-        return [("", self._planner.certify(task.problem, self, task.options))]
-
-
-def of_found(base: Any, name: str, *statuses: Any) -> Any:
-    """Returns an attribute of the core's plan as one that is None unless the status is given."""
-    core = getattr(base, name)
-    return property(
-        lambda self: core.fget(self) if self.status in statuses else None,
-        core.fset,
-        doc=core.__doc__,
-    )
-
-
-def own_segments(base: Any) -> Any:
-    """Returns `segments` of the core's plan as one that keeps the objects it was given."""
-    core = base.segments
-
-    def give(self: Any, segments: Any) -> None:
-        core.fset(self, list(segments))
-        self.__dict__["_segments"] = tuple(segments)
-
-    return property(lambda self: self.__dict__.get("_segments", ()), give, doc=core.__doc__)
-
-
-if TYPE_CHECKING:
-
-    @runtime_checkable
-    class Plan(Protocol):
-        """Plan of any kind, or the reason of failure. isinstance(p, slide.Plan) tells the kind."""
-
-        @property
-        def kind(self) -> str: ...
-        @property
-        def task(self) -> Task[Any, Any, Any]: ...
-        @property
-        def seed(self) -> int: ...
-        @property
-        def status(self) -> Any: ...
-        @property
-        def reason(self) -> str: ...
-        @property
-        def statistics(self) -> Any: ...
-
-        proof: Proof | None
-
-        @property
-        def segments(self) -> Any: ...
-        def __bool__(self) -> bool: ...
-        def to_json(self) -> str: ...
-        def save(self, path: str | Path) -> None: ...
-        def plot(self) -> Figure: ...
-        def show(self) -> None: ...
-        def _fields(self) -> dict[str, Any]: ...
-        def _faults(self) -> list[str]: ...
-        def _certificates(self) -> list[tuple[str, EdgeCertificate]]: ...
-else:
-    Plan = AnyPlan
+    def segments(self) -> Any: ...
+    def __bool__(self) -> bool: ...
+    def to_json(self) -> str: ...
+    def save(self, path: str | Path) -> None: ...
+    def plot(self) -> Figure: ...
+    def show(self) -> None: ...
+    def _fields(self) -> dict[str, Any]: ...
+    def _faults(self) -> list[str]: ...
+    def _certificates(self) -> list[tuple[str, EdgeCertificate]]: ...

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
+from ._any_plan import AnyPlan
 from ._core import carry as _core
 from ._core.carry import (
     Options,
@@ -18,7 +19,6 @@ from ._core.carry import (
     check,
     validate,
 )
-from ._plan import AnyPlan
 from .collision import Obstacle
 
 if TYPE_CHECKING:

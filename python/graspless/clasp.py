@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
+from ._any_plan import AnyPlan, of_found, own_segments
 from ._core import clasp as _core
 from ._core.clasp import (
     Certificate,
@@ -50,7 +51,6 @@ from ._core.clasp import (
     validate,
     with_palm_corners,
 )
-from ._plan import AnyPlan, of_found, own_segments
 from .collision import Obstacle
 
 if TYPE_CHECKING:

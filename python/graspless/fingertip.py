@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 import numpy as np
 
 from . import limits
+from ._any_plan import AnyPlan, of_found, own_segments
 from ._core import fingertip as _core
 from ._core.fingertip import (
     Carrier,
@@ -53,7 +54,6 @@ from ._core.fingertip import (
     validate,
 )
 from ._core.mechanics import Compliance, FingerMode
-from ._plan import AnyPlan, of_found, own_segments
 from .collision import Obstacle
 
 Motion = Path | Lattice | Goal

@@ -7,9 +7,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from . import slide
+from ._any_plan import AnyPlan
 from ._core import pinch as _core
 from ._core.pinch import Options, Segment, Statistics, Status, certify, check, validate
-from ._plan import AnyPlan
 from .collision import Obstacle
 from .slide import Hand, Object, Support
 

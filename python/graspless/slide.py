@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
+from ._any_plan import AnyPlan
 from ._core import slide as _core
 from ._core.slide import (
     FingerModel,
@@ -30,7 +31,6 @@ from ._core.slide import (
     turning,
     validate,
 )
-from ._plan import AnyPlan
 from .collision import Obstacle
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ import graspless
 from graspless import perception
 from graspless.cli import main
 from graspless.errors import TaskError
-from graspless.plan_files import document_of, plan_of
+from graspless.plan_files import plan_of
+from graspless.plan_files.text import document_of
 from pick_common import BAR, BLOCK, CARD, seen
 
 

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 
+from .._any_plan import AnyPlan
 from .._named import Named
-from .._plan import AnyPlan
 from ..errors import TaskError
-from ..plan_files import document_of, plan_of
+from ..plan_files import plan_of
 from ..plan_files.chain import Join, Segment
+from ..plan_files.text import document_of
 from ..tasks.chain import ON_SUPPORT, Options, Problem, Stage
 from .check import check_joins
 from .search import Found, Statistics, add_stage, search

@@ -1,18 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plan files: text that holds a plan and its whole task."""
+"""Plan files: text that holds a plan and its whole task. This reads them."""
 
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from .._any_plan import AnyPlan
 from .._arguments import require_path
-from .._plan import AnyPlan
 from ..errors import TaskError, told
-from ..proving.proof import Proof
-from ..tasks import task_from_dict
+from ..kinds import plan_type
 from ..tasks.kind import task_kind
 from ..tasks.reading import parse_yaml, read_text
 from ..tasks.source import MOST_DIGITS, Source
@@ -63,33 +61,9 @@ def read_plan(text: str, file: str) -> Plan:
 
 
 def plan_of(document: dict[str, Any], where: str) -> Plan:
-    """Returns the plan of a valid document. `where` is the place of its task in error messages."""
-    from ..kinds import plan_type
-    from .table import HEAD
-
-    fields = {key: value for key, value in document.items() if key not in HEAD or key == "stats"}
-    plan: Plan = plan_type(document["kind"])._made(fields, task_from_dict(document["task"], where))
-    if document.get("proof") is not None:
-        plan.proof = Proof(**document["proof"])
+    """Returns the plan of a valid document; error messages call its task `where`."""
+    plan: Plan = plan_type(document["kind"])._of_document(document, where)
     return plan
-
-
-def document_of(plan: AnyPlan | Plan) -> dict[str, Any]:
-    """Returns all that a plan file holds, in plain types."""
-    from .. import __version__
-
-    fields = plan._fields()
-    head = {"format": 1, "kind": plan.kind, "version": __version__}
-    head |= {name: fields[name] for name in ("status", "reason")} | {"seed": plan.seed}
-    head["stats"] = fields["stats"]
-    if plan.proof is not None:
-        head["proof"] = asdict(plan.proof)
-    return head | fields | {"task": plan.task.to_dict()}
-
-
-def text_of(plan: AnyPlan) -> str:
-    """Returns the text of a plan's file."""
-    return _to_text(document_of(plan)) + "\n"
 
 
 _TASK = "{}: this is a task, not a plan; graspless plan reads it"
@@ -132,28 +106,3 @@ def _integer(text: str) -> int | str:
 
 def _refuse(name: str) -> float:
     raise ValueError(f"contains {name}, which is not a number")
-
-
-def _to_text(value: Any, indent: str = "") -> str:
-    """JSON with one row of numbers a line: readable, and a quarter of the length of indent=1."""
-    deeper = indent + " "
-    if isinstance(value, dict) and value:
-        items = (f"{deeper}{json.dumps(key)}: {_to_text(v, deeper)}" for key, v in value.items())
-        return "{\n" + ",\n".join(items) + f"\n{indent}}}"
-    if isinstance(value, list) and any(isinstance(item, (list, dict)) for item in value):
-        rows = _rows(value, deeper) or (deeper + _to_text(item, deeper) for item in value)
-        return "[\n" + ",\n".join(rows) + f"\n{indent}]"
-    return _encode(value)
-
-
-def _rows(table: list[Any], indent: str) -> list[str] | None:
-    """Returns the lines of a list of lists of numbers, by a single call of json; or None."""
-    if not all(isinstance(row, list) for row in table):
-        return None
-    text = _encode(table)
-    if '"' in text or "{" in text or text.count("[") != len(table) + 1:
-        return None
-    return [f"{indent}[{row}]" for row in text[2:-2].split("], [")]
-
-
-_encode = json.JSONEncoder(allow_nan=False).encode

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
     from .. import geometry
     from .._plan import Plan
-    from ..inspection import Proposal
     from ..perception import Scene
-    from ..simulation import Recording
+    from ..simulation.results import Recording
+    from .hand import Proposal
 
 
 def write_png(plan: Plan, path: str | Path) -> None:
@@ -69,7 +69,7 @@ def html(plan: Plan) -> str:
     """Returns the view of a plan in a notebook: its summary and its picture."""
     from . import notebook
 
-    return notebook.html(plan)
+    return notebook.html(plan, figure)
 
 
 def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) -> None:

@@ -36,6 +36,7 @@ OBJECT: Color = (0.95, 0.65, 0.15)
 TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
+FINGER: Color = (0.22, 0.58, 1.00)
 LOOP: Color = (0.10, 0.55, 0.60)
 GHOST: Color = (0.35, 0.55, 0.95)
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from .._plan import Plan
     from ..frames import Matrix
-    from ..simulation import Recording
+    from ..simulation.results import Recording
 
 SPEED = 0.9  # default speed for watching, not for driving a robot [rad/s]
 PAUSE = 0.4  # pause between segments [s]

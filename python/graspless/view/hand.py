@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -17,14 +17,29 @@ from .tubes import tube
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from .._core.robot import Robot
     from ..frames import Matrix
-    from ..inspection import Proposal
     from .bodies import Color
 
 AXES: tuple[Color, ...] = ((0.85, 0.15, 0.15), (0.15, 0.6, 0.2), (0.15, 0.3, 0.85))
 PANEL = (460, 460)  # pixels
 AXIS = 0.35  # length of an axis, relative to the hand
 THICKNESS = 0.06  # radius of an axis, relative to its length
+
+
+class Proposal(Protocol):
+    """Part of an `inspection.Proposal` that is drawn."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def robot(self) -> Robot: ...
+    @property
+    def hand(self) -> dict[str, Any]: ...
+    @property
+    def clasp(self) -> dict[str, Any]: ...
+    @property
+    def hand_links(self) -> tuple[str, ...]: ...
 
 
 def draw(proposal: Proposal) -> Figure:

@@ -12,8 +12,7 @@ import numpy as np
 
 from .. import frames, progress
 from ..scene import Scene
-from .bodies import robot_bodies
-from .clasp.bodies import CURVE
+from .bodies import FINGER, robot_bodies
 from .hand import axes_body
 from .raster import Camera
 from .scene import Layers, add_segments, legend_html, look, move
@@ -21,8 +20,8 @@ from .server import add_boxes, open_server
 
 if TYPE_CHECKING:
     from ..frames import Matrix
-    from ..inspection import Proposal
     from .bodies import Body
+    from .hand import Proposal
 
 AXIS = 0.06  # length of the axes of a frame [m]
 CURVE_RADIUS = 0.003  # [m]
@@ -108,14 +107,14 @@ class Joints:
         if not proposal.clasp:
             return
         self.layers.add("curves")
-        self.layers.explain(CURVE, "finger curves for clasps")
+        self.layers.explain(FINGER, "finger curves for clasps")
         for name, nodes in (*proposal.clasp["fingers"].items(), ("thumb", proposal.clasp["thumb"])):
             known = [
                 (self.robot.frame(node["link"]), np.array(node.get("point", np.zeros(3))))
                 for node in nodes
             ]
             ends = _segments(known, poses)
-            handle = add_segments(self.layers.scene, f"/curves/{name}", ends, CURVE, CURVE_RADIUS)
+            handle = add_segments(self.layers.scene, f"/curves/{name}", ends, FINGER, CURVE_RADIUS)
             self.curves.append((handle, known))
 
     def _add_sliders(self, server: Any) -> list[Any]:

@@ -16,6 +16,10 @@ from .. import report
 from ..errors import TaskError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
     from .._plan import Plan
 
 HEIGHT = 600  # of an inline replay [pixels]
@@ -37,23 +41,17 @@ def show(plan: Plan) -> None:
         print(f"no web browser was found; the replay is in {file.name}")
 
 
-def html(plan: Plan) -> str:
+def html(plan: Plan, draw: Callable[[Plan], Figure]) -> str:
     """Returns the summary of a plan, and its picture if matplotlib is installed."""
     text = f"<pre>{escape(report.as_text(plan))}</pre>"
     try:
         from .figures import as_png
 
-        picture = as_png(_figure(plan))
+        picture = as_png(draw(plan))
     except (ImportError, TaskError):
         return text
     data = base64.b64encode(picture).decode()
     return f'{text}<img src="data:image/png;base64,{data}" style="max-width: 100%">'
-
-
-def _figure(plan: Plan) -> Any:
-    from . import figure
-
-    return figure(plan)
 
 
 def _frame(page: str) -> str:

@@ -14,7 +14,7 @@ from .server import add_boxes, free_port, open_server
 
 if TYPE_CHECKING:
     from .._plan import Plan
-    from ..simulation import Recording
+    from ..simulation.results import Recording
     from .scene import Layers
 
 RATE = 20.0  # rows a second

@@ -10,7 +10,7 @@ from .. import film as films
 
 if TYPE_CHECKING:
     from ...carry import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 SPEEDS = {"carry": 0.25, "lower": 0.25, "open": 0.5, "retreat": 0.25}  # [rad/s]
 

@@ -17,7 +17,7 @@ from .stage import Scene, camera
 
 if TYPE_CHECKING:
     from ...carry import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 
 class Stage(FilmStage):

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ...chain import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ..replay import Stage as AnyStage
 
 

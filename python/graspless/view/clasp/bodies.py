@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import LOOP, OBJECT, TRAIL, Body, Color
+from ..bodies import FINGER, LOOP, OBJECT, TRAIL, Body, Color
 from ..surface import surface_part
 from ..tubes import ball, smooth, tube
 
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from ...tasks import Task
 
 CLASPED: Color = TRAIL
+CURVE: Color = FINGER
 TARGET: Color = (0.98, 0.98, 0.98)
-CURVE: Color = (0.22, 0.58, 1.00)
 CHORD: Color = (0.72, 0.36, 0.95)
 NODE: Color = (0.55, 0.57, 0.60)
 PATH: Color = (0.13, 0.52, 0.30)

@@ -13,7 +13,7 @@ from .. import film as films
 if TYPE_CHECKING:
     from ...clasp import Plan
     from ...frames import Matrix
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 SPEEDS = {"reach": 0.7, "close": 0.35}  # [rad/s]
 

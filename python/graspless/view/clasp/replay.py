@@ -19,7 +19,7 @@ from .stage import Scene, camera
 if TYPE_CHECKING:
     from ...clasp import Plan
     from ...frames import Matrix
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ..bodies import Color
 
 CLOUD_RGB = (60, 45, 20)

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ...fingertip import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ..replay import Stage
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from ...fingertip import JointSegment, Plan, Segment
     from ...frames import Matrix
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 SLIDE = 8.0  # [cm/s]
 TURN = 25.0  # [degrees/s]

@@ -20,7 +20,7 @@ from .stage import camera, swept
 if TYPE_CHECKING:
     from ...fingertip import Plan
     from ...frames import Matrix
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from .moments import Moment
 
 WALL_OPACITY, OBJECT_OPACITY = 0.35, 0.8

@@ -10,7 +10,7 @@ from .. import film as films
 
 if TYPE_CHECKING:
     from ...pinch import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 SPEEDS = {"grasp": 0.4, "close": 0.3}  # [rad/s]
 

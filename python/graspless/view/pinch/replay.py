@@ -16,7 +16,7 @@ from .film import film
 
 if TYPE_CHECKING:
     from ...pinch import Plan
-    from ...simulation import Recording
+    from ...simulation.results import Recording
 
 
 class Stage(FilmStage):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ...slide import Plan
     from ..replay import Stage
 

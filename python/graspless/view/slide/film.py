@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from .. import film as films
 
 if TYPE_CHECKING:
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ...slide import Plan
 
 SPEEDS = {"press": 0.15, "slide": 0.3, "lift": 0.4, "grasp": 0.4, "close": 0.3}  # [rad/s]

@@ -16,7 +16,7 @@ from .film import film
 from .stage import camera
 
 if TYPE_CHECKING:
-    from ...simulation import Recording
+    from ...simulation.results import Recording
     from ...slide import Plan
 
 
