@@ -15,12 +15,12 @@ from typing import Any
 KINDS = ("slide", "pinch", "fingertip", "clasp", "carry", "chain")
 
 
-def part(room: str, kind: str) -> Any:
-    """Returns the module of a package that handles a kind, for instance `tasks.slide`.
+def part(room: str, kind: str, *inside: str) -> Any:
+    """Returns the module of a package that handles a kind: `tasks.slide`, `view.slide.picture`.
 
     It is imported at the first call.
     """
-    return importlib.import_module(f".{room}.{kind}", __package__)
+    return importlib.import_module(".".join(("", room, kind, *inside)), __package__)
 
 
 def plan_type(kind: str) -> Any:

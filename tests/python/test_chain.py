@@ -417,8 +417,9 @@ def test_replay_shows_one_stage_after_the_other(lift, tmp_path):
 def test_picture_has_those_of_the_stages_below_each_other(lift, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")
     from graspless import view
-    from graspless.view import carry, slide
+    from graspless.view.carry import picture as carry
     from graspless.view.figures import DPI, new_figure
+    from graspless.view.slide import picture as slide
     from tasks_common import read_png
 
     def drawing(width, height, color):

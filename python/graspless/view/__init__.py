@@ -53,7 +53,7 @@ def write_png(plan: Plan, path: str | Path) -> None:
 def figure(plan: Plan) -> Figure:
     """Returns the picture of a plan, as `write_png` draws it, as a figure of matplotlib."""
     with _told():
-        drawn: Figure = part("view", plan.kind).draw(plan)
+        drawn: Figure = part("view", plan.kind, "picture").draw(plan)
     return drawn
 
 

@@ -88,7 +88,7 @@ def serve(plan: Plan, port: int) -> None:
 def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=True)
-    kind = kinds.part("view", plan.kind)
     given = () if recording is None else (recording,)
-    stage: Stage = kind.set_stage(server, plan, *given)
+    shown = plan if recording is None else getattr(plan, "stages", [plan])[0]  # of a chain
+    stage: Stage = kinds.part("view", shown.kind, "replay").Stage(server, shown, *given)
     return stage

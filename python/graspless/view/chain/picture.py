@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 def draw(plan: Plan) -> Figure:
     """Draws the pictures of the stages on one page."""
-    drawn = [_pixels(part("view", stage.kind).draw(stage)) for _, stage in stages_of(plan)]
+    stages = [stage for _, stage in stages_of(plan)]
+    drawn = [_pixels(part("view", stage.kind, "picture").draw(stage)) for stage in stages]
     width, height = max(p.shape[1] for p in drawn), sum(p.shape[0] for p in drawn)
     page = new_figure(width / DPI, height / DPI, DPI)
     for picture in drawn:

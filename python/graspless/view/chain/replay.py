@@ -35,7 +35,7 @@ class Stage:
             seen.append(SimpleNamespace())
             within = SimpleNamespace(scene=Corner(server.scene, corner), initial_camera=seen[-1])
             self.corners.append(frame)
-            self.stages.append(part("view", stage.kind).set_stage(within, stage))
+            self.stages.append(part("view", stage.kind, "replay").Stage(within, stage))
             self.layers.legend |= self.stages[-1].layers.legend
             for layer, handle in self.stages[-1].layers.handles.items():
                 self.layers.handles[f"{corner}: {layer}"] = handle

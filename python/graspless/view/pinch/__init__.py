@@ -1,28 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and replays of pinches."""
-
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from ...pinch import Plan
-    from ...simulation.results import Recording
-    from ..replay import Stage
-
-
-def draw(plan: Plan) -> Figure:
-    """Draws the robot at three moments."""
-    from .picture import draw
-
-    return draw(plan)
-
-
-def set_stage(server: Any, plan: Plan, recording: Recording | None = None) -> Stage:
-    """Sets up the scene of a replay on a viser server, of the plan or of a recording."""
-    from .replay import Stage
-
-    return Stage(server, plan, recording)
