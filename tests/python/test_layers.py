@@ -3,12 +3,14 @@
 """Which room may know which (docs/architecture.md), read from the #include and import lines."""
 
 import ast
+import graphlib
 import pathlib
 import re
 
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
+PACKAGE = ROOT / "python" / "graspless"
 ALLOWED = {
     "geometry": set(),
     "robot": {"geometry"},
@@ -53,10 +55,10 @@ SHAPES = {"Box", "Sphere", "Capsule", "Mesh", "PlacedShape"}  # of the task that
 PLANNING = {"slide", "pinch", "fingertip", "clasp", "carry", "planning", "collision", "scene"}
 
 
-def taken(path, package):
+def taken(path):
     """What a module of Python uses of the package's top, when it runs: {module: names}."""
     found, tree = {}, ast.parse(path.read_text())
-    up = len(path.relative_to(package).parts)  # dots that reach the package's top
+    up = len(path.relative_to(PACKAGE).parts)  # dots that reach the package's top
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.level == up:
             for name in (alias.name for alias in node.names):
@@ -74,15 +76,33 @@ def test_what_simulations_share_with_planners_is_listed():
     page = (ROOT / "docs" / "internals" / "physics.md").read_text()
     head = "## What the physics engine shares with the planners\n"
     listed = page.split(head)[1].split("\n## ")[0]
-    package = ROOT / "python" / "graspless"
     shared = set()
-    for path in sorted((package / "simulation").rglob("*.py")):
-        used = taken(path, package)
+    for path in sorted((PACKAGE / "simulation").rglob("*.py")):
+        used = taken(path)
         assert not PLANNING & set(used), path
         for module in ("geometry", "robot", "mechanics"):
             shared |= used.get(module, set())
     assert {"wrench_scale", "Ik", "PreparedLoop"} <= shared  # else nothing was found
     assert [name for name in sorted(shared - SHAPES) if name not in listed] == []
+
+
+def imported(path):
+    """Files of the package that a module imports: on top, in a function, or for types alone."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            base = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+            for name in (alias.name for alias in node.names):
+                inside = base / f"{name}.py", base / name / "__init__.py", base / "__init__.py"
+                files = (*inside, base.with_suffix(".py"))
+                yield from [file for file in files if file.exists()][:1]
+
+
+def test_no_modules_of_python_import_each_other_in_a_circle():
+    face = PACKAGE / "__init__.py"  # names everything, at the first use
+    graph = {path: set(imported(path)) - {face} for path in PACKAGE.rglob("*.py") if path != face}
+    assert PACKAGE / "tasks" / "__init__.py" in graph[PACKAGE / "_load.py"]
+    assert PACKAGE / "kinds.py" in graph[PACKAGE / "chain" / "search.py"]
+    graphlib.TopologicalSorter(graph).prepare()  # raises with the circle
 
 
 @pytest.mark.parametrize("module", ["bindings", "tests", "python"])
