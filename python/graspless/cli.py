@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line: the parser, and the commands plan, check, view and example."""
+"""Command line: the parser, and the commands check, view and example."""
 
 from __future__ import annotations
 
@@ -17,23 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
-from ._commands import (
-    BAD_INPUT,
-    CLOSED_PIPE,
-    EXIT_CODES,
-    FOUND,
-    INTERRUPTED,
-    NOT_FOUND,
-    add_trust,
-    read_stdin,
-)
+from ._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND
 from ._given_plan import given_plan
+from ._pictures import add_pictures, check_pictures, draw
 from .errors import OutOfTimeError, TaskError, explain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-
-    from ._plan import Plan
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -141,63 +131,6 @@ def _add_bench(parser: argparse.ArgumentParser) -> None:
     _of("graspless_bench.cli")(parser)
 
 
-def _add_plan(parser: argparse.ArgumentParser) -> None:
-    parser.description = (
-        "Plan a task, check the plan and write it. A plan file is written in any case;\n"
-        "if no plan was found, it says why."
-    )
-    parser.epilog = (
-        f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
-    )
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.add_argument(
-        "task", metavar="TASK.yaml", help="task file (docs/task-files.md); - for stdin"
-    )
-    parser.add_argument(
-        "-o",
-        "--output",
-        metavar="FILE",
-        default="plan.json",
-        help="plan file to write (default: %(default)s); - for stdout, with the summary on stderr",
-    )
-    parser.add_argument(
-        "--seed", type=int, metavar="N", help="seed of the random numbers, overrides the task"
-    )
-    parser.add_argument(
-        "--time",
-        type=float,
-        metavar="S",
-        help="time limit [s], overrides the task; with --prove, of all searches and trials "
-        "together (default then: 600)",
-    )
-    parser.add_argument(
-        "--iterations",
-        type=int,
-        metavar="N",
-        help="maximum number of iterations of the search, overrides the task",
-    )
-    parser.add_argument(
-        "--search",
-        choices=["dijkstra", "paper", "fast"],
-        help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
-        "(fingertip tasks only); clasp tasks have a single algorithm",
-    )
-    from .proving.cli import add_jobs, add_prove
-
-    parser.add_argument(
-        "--certify",
-        action="store_true",
-        help="also prove the plan between its rows, and search with other seeds until it is proven "
-        "(docs/howto/certify.md); exit code 1 if it is not",
-    )
-    add_prove(parser)
-    add_jobs(parser)
-    add_trust(parser)
-    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
-    _add_pictures(parser)
-    parser.set_defaults(run=_plan)
-
-
 def _add_check(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Replay a plan against its own task, with none of the code of the search. The exit code "
@@ -219,7 +152,7 @@ def _add_view(parser: argparse.ArgumentParser) -> None:
         "Draw a plan. Without --png and --html, a viewer with a time slider is served until Ctrl-C."
     )
     parser.add_argument("plan", metavar="PLAN", help="plan file; - for stdin")
-    _add_pictures(parser)
+    add_pictures(parser)
     parser.add_argument(
         "--port", type=int, default=8080, help="port of the viewer (default: %(default)s)"
     )
@@ -238,15 +171,8 @@ def _add_example(parser: argparse.ArgumentParser) -> None:
     parser.set_defaults(run=_example)
 
 
-def _add_pictures(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
-    parser.add_argument(
-        "--html", metavar="FILE", help="write a replay to FILE: a single page for any browser"
-    )
-
-
 _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
-    "plan": ("plan a task and write the plan", _add_plan),
+    "plan": ("plan a task and write the plan", _of("._plan_cli")),
     "check": ("check a plan by replaying it", _add_check),
     "view": ("view a plan, or draw it to a file", _add_view),
     "simulate": ("execute a plan in the MuJoCo physics engine", _of(".simulation.cli")),
@@ -261,65 +187,6 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
 }
-
-
-def _plan(options: argparse.Namespace) -> int:
-    from . import _api, files, limits, report
-    from ._load import load_task
-    from .proving.cli import searched
-    from .tasks import read_task
-
-    to_stdout = options.output == "-"
-    if not to_stdout:
-        files.check_writable(options.output)
-    check_pictures(options)
-    with limits.reading(options.time, alarm=True) as clock:
-        if options.task != "-":
-            given = load_task(options.task, trust=options.trust)
-        else:
-            given = read_task(read_stdin(), "stdin", trust=options.trust)
-        task = _change(given, options)
-    plan = searched(task, clock.began, options)
-    faults, edges = _api.checked(plan, options.certify) if plan else ([], None)
-    # Files first: who reads our output may go at any time.
-    if not to_stdout:
-        plan.save(options.output)
-    written = [] if to_stdout else [options.output]
-    try:
-        written += draw(plan, options)
-    finally:
-        if to_stdout:
-            print(plan.to_json(), end="")
-        summary = [report.as_text(plan), report.verdict(plan, faults, edges)]
-        summary += [f"written: {path}" for path in written]
-        if options.json:
-            summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]
-        print("\n".join(summary), file=sys.stderr if to_stdout else sys.stdout)
-    proof = plan.proof
-    if plan.status == "interrupted" or (proof is not None and proof.ended == "interrupted"):
-        return INTERRUPTED
-    holds = plan and not faults and (proof is None or proof)
-    return FOUND if holds else NOT_FOUND
-
-
-def _change(task: Any, options: argparse.Namespace) -> Any:
-    """Returns the task with the values of the command line; errors name the flags."""
-    from .tasks.kind import searches
-
-    flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
-    if options.search is not None and options.search not in (choices := searches(task.kind)):
-        shown = ", ".join(choices) or "none, there is a single one"
-        raise TaskError(
-            f"--search: {options.search}: not a search algorithm of {task.kind} tasks "
-            f"(choices: {shown})"
-        )
-    try:
-        return task.with_changes(search=options.search, **flags)
-    except TaskError as error:
-        given = [
-            f"--{name.replace('seconds', 'time')}" for name in flags if flags[name] is not None
-        ]
-        raise TaskError(f"{', '.join(given)}: {str(error).partition(': ')[2]}") from None
 
 
 def _check(options: argparse.Namespace) -> int:
@@ -349,29 +216,6 @@ def _view(options: argparse.Namespace) -> int:
     for path in draw(plan, options):
         print(f"written: {path}")
     return FOUND
-
-
-def check_pictures(options: argparse.Namespace) -> None:
-    """Raises TaskError, before any planning, if a picture could not be written."""
-    from . import files, view
-
-    if options.png is not None:
-        view.check_png(options.png)
-        files.check_writable(options.png)
-    if options.html is not None:
-        view.check_html(options.html)
-
-
-def draw(plan: Plan, options: argparse.Namespace) -> list[str]:
-    """Writes the requested pictures; returns their paths."""
-    from . import progress, view
-
-    asked = ((options.png, view.write_png), (options.html, view.write_html))
-    for path, write in asked:
-        if path is not None:
-            with progress.waiting(f"drawing {path}"):
-                write(plan, path)
-    return [path for path, _ in asked if path is not None]
 
 
 def _example(options: argparse.Namespace) -> int:

@@ -95,7 +95,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from .. import files
-    from ..cli import check_pictures, draw
+    from .._pictures import check_pictures, draw
     from . import pick
 
     files.check_writable(options.output)

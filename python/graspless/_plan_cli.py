@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless plan`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import Any
+
+from ._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust, read_stdin
+from ._pictures import add_pictures, check_pictures, draw
+from .errors import TaskError
+from .proving.cli import add_jobs, add_prove, searched
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Adds description and arguments of `plan`."""
+    parser.description = (
+        "Plan a task, check the plan and write it. A plan file is written in any case;\n"
+        "if no plan was found, it says why."
+    )
+    parser.epilog = (
+        f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
+    )
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.add_argument(
+        "task", metavar="TASK.yaml", help="task file (docs/task-files.md); - for stdin"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        default="plan.json",
+        help="plan file to write (default: %(default)s); - for stdout, with the summary on stderr",
+    )
+    parser.add_argument(
+        "--seed", type=int, metavar="N", help="seed of the random numbers, overrides the task"
+    )
+    parser.add_argument(
+        "--time",
+        type=float,
+        metavar="S",
+        help="time limit [s], overrides the task; with --prove, of all searches and trials "
+        "together (default then: 600)",
+    )
+    parser.add_argument(
+        "--iterations",
+        type=int,
+        metavar="N",
+        help="maximum number of iterations of the search, overrides the task",
+    )
+    parser.add_argument(
+        "--search",
+        choices=["dijkstra", "paper", "fast"],
+        help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
+        "(fingertip tasks only); clasp tasks have a single algorithm",
+    )
+    parser.add_argument(
+        "--certify",
+        action="store_true",
+        help="also prove the plan between its rows, and search with other seeds until it is proven "
+        "(docs/howto/certify.md); exit code 1 if it is not",
+    )
+    add_prove(parser)
+    add_jobs(parser)
+    add_trust(parser)
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
+    add_pictures(parser)
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from . import _api, files, limits, report
+    from ._load import load_task
+    from .tasks import read_task
+
+    to_stdout = options.output == "-"
+    if not to_stdout:
+        files.check_writable(options.output)
+    check_pictures(options)
+    with limits.reading(options.time, alarm=True) as clock:
+        if options.task != "-":
+            given = load_task(options.task, trust=options.trust)
+        else:
+            given = read_task(read_stdin(), "stdin", trust=options.trust)
+        task = _change(given, options)
+    plan = searched(task, clock.began, options)
+    faults, edges = _api.checked(plan, options.certify) if plan else ([], None)
+    # Files first: who reads our output may go at any time.
+    if not to_stdout:
+        plan.save(options.output)
+    written = [] if to_stdout else [options.output]
+    try:
+        written += draw(plan, options)
+    finally:
+        if to_stdout:
+            print(plan.to_json(), end="")
+        summary = [report.as_text(plan), report.verdict(plan, faults, edges)]
+        summary += [f"written: {path}" for path in written]
+        if options.json:
+            summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]
+        print("\n".join(summary), file=sys.stderr if to_stdout else sys.stdout)
+    proof = plan.proof
+    if plan.status == "interrupted" or (proof is not None and proof.ended == "interrupted"):
+        return INTERRUPTED
+    holds = plan and not faults and (proof is None or proof)
+    return FOUND if holds else NOT_FOUND
+
+
+def _change(task: Any, options: argparse.Namespace) -> Any:
+    """Returns the task with the values of the command line; errors name the flags."""
+    from .tasks.kind import searches
+
+    flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
+    if options.search is not None and options.search not in (choices := searches(task.kind)):
+        shown = ", ".join(choices) or "none, there is a single one"
+        raise TaskError(
+            f"--search: {options.search}: not a search algorithm of {task.kind} tasks "
+            f"(choices: {shown})"
+        )
+    try:
+        return task.with_changes(search=options.search, **flags)
+    except TaskError as error:
+        given = [
+            f"--{name.replace('seconds', 'time')}" for name in flags if flags[name] is not None
+        ]
+        raise TaskError(f"{', '.join(given)}: {str(error).partition(': ')[2]}") from None
