@@ -23,12 +23,14 @@ from graspless.simulation.fingertip import (
     SPREAD,
     breaking,
     carry_out,
+    disturbed,
     judge,
     measure,
     run,
 )
 from graspless.simulation.fingertip.arm import ArmServo, arm_program, build_arm_world
-from graspless.simulation.fingertip.breaking import Disturbed, disturb
+from graspless.simulation.fingertip.breaking import disturb
+from graspless.simulation.fingertip.disturbed import Disturbed
 from graspless.simulation.fingertip.execute import contact_forces, hit_depth
 from graspless.simulation.fingertip.passing import passing
 from graspless.simulation.fingertip.program import way_round
@@ -353,7 +355,7 @@ def test_a_motion_that_does_not_hold_breaks_at_nothing(tumble, monkeypatch):
     def slippery(problem, variation, settings, friction_at):
         return build_world(problem, Variation(friction=0.05), settings, friction_at=friction_at)
 
-    monkeypatch.setattr(breaking, "build_world", slippery)
+    monkeypatch.setattr(disturbed, "build_world", slippery)
     found = disturb(tumble)
     assert (found["smallest"], found["ratio"], found["direction"]) == (0, 0, -1)
     assert found["undisturbed"] > 1e-3
@@ -387,7 +389,7 @@ def test_friction_known_as_an_interval_breaks_at_its_lower_end(monkeypatch):
     plan = graspless.plan(read_task(SLIDE + intervals, "slide.yaml"))
     worlds = []
     monkeypatch.setattr(
-        breaking, "build_world", lambda *a, **k: worlds.append(build_world(*a, **k)) or worlds[-1]
+        disturbed, "build_world", lambda *a, **k: worlds.append(build_world(*a, **k)) or worlds[-1]
     )
     Disturbed(plan, plan.segments[0], 0, Break())
     np.testing.assert_allclose(worlds[0].model.pair_friction[:, 0], [0.4, 0.5, 0.5])

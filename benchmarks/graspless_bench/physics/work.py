@@ -202,7 +202,8 @@ def _broken(plan: Any, seed: int) -> Row:
     """Breaks the row that withstands least, and others at random; equal rows once."""
     from dataclasses import replace
 
-    from graspless.simulation.fingertip.breaking import Break, break_test
+    from graspless.simulation.fingertip.breaking import break_test
+    from graspless.simulation.settings import Break
 
     from .weak_directions import weak_directions
 
