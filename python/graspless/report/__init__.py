@@ -114,8 +114,20 @@ def count(number: float, things: str) -> str:
     return f"{number} {things.removesuffix('s') if number == 1 else things}"
 
 
-def segment_line(plan: Plan, segment: Any) -> str:
-    """Returns one line on a joint motion: its name, number of rows, and least duration."""
+def segment_details(plan: Plan) -> list[dict[str, Any]]:
+    """Returns name, number of rows and least duration of each joint motion."""
+    return [
+        {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
+        for s in plan.segments
+    ]
+
+
+def segment_lines(plan: Plan) -> list[str]:
+    """Returns a line per joint motion: its name, number of rows, and least duration."""
+    return [_segment_line(plan, segment) for segment in plan.segments]
+
+
+def _segment_line(plan: Plan, segment: Any) -> str:
     seconds = least_seconds(plan, segment)
     least = "" if seconds is None else f", at least {seconds:.2f} s long"
     number, _, rows = count(len(segment), "rows").partition(" ")

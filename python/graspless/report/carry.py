@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import least_seconds, refused, segment_line
+from . import refused, segment_details, segment_lines
 
 if TYPE_CHECKING:
     from ..carry import Plan
@@ -19,16 +19,13 @@ def details(plan: Plan) -> dict[str, Any]:
     return {
         "reached": plan.reached,
         "place": plan.place,
-        "segments": [
-            {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
-            for s in plan.segments
-        ],
+        "segments": segment_details(plan),
     }
 
 
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, and how far the object moves."""
-    return [*(segment_line(plan, segment) for segment in plan.segments), f"the hand {moved(plan)}"]
+    return [*segment_lines(plan), f"the hand {moved(plan)}"]
 
 
 def moved(plan: Plan) -> str:

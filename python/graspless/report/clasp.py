@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..clasp import Status
-from . import count, refused, segment_line
+from . import count, refused, segment_lines
 from .loops import betti_line, loop_line
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def lines(plan: Plan) -> list[str]:
     assert plan.stability is not None
     loops = plan.task.problem.object.loops.found
     found = [f"warning: {warning}" for warning in plan.warnings]
-    found += [segment_line(plan, segment) for segment in plan.segments]
+    found += segment_lines(plan)
     found.append(f"clasps {loop_line(loops, plan.loop or 0)}")
     ends = _ends(plan)
     if ends:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import least_seconds, refused, segment_line
+from . import refused, segment_details, segment_lines
 
 if TYPE_CHECKING:
     from ..pinch import Plan
@@ -20,10 +20,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "opening": plan.opening,
         "width": width(plan) if plan else None,
         "friction": plan.friction if plan else None,
-        "segments": [
-            {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
-            for s in plan.segments
-        ],
+        "segments": segment_details(plan),
     }
 
 
@@ -34,7 +31,7 @@ def lines(plan: Plan) -> list[str]:
         f"the hand, which opens {1000 * plan.opening:.0f} mm, pinches the {name} where it is "
         f"{1000 * width(plan):.0f} mm wide; needs a coefficient of friction of {plan.friction:.2f}"
     )
-    return [*(segment_line(plan, segment) for segment in plan.segments), pinched]
+    return [*segment_lines(plan), pinched]
 
 
 def lines_not_found(plan: Plan) -> list[str]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import least_seconds, refused, segment_line
+from . import refused, segment_details, segment_lines
 
 if TYPE_CHECKING:
     from ..slide import Plan
@@ -21,16 +21,13 @@ def details(plan: Plan) -> dict[str, Any]:
         "overhang": plan.overhang if plan else None,
         "tube": {"position": list(plan.tube.position), "angle": list(plan.tube.angle)},
         "warnings": list(plan.warnings),
-        "segments": [
-            {"name": s.name, "rows": len(s), "least_seconds": least_seconds(plan, s)}
-            for s in plan.segments
-        ],
+        "segments": segment_details(plan),
     }
 
 
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, the slide's distance and overhang, and the warnings."""
-    found = [*(segment_line(plan, segment) for segment in plan.segments), _slide_line(plan)]
+    found = [*segment_lines(plan), _slide_line(plan)]
     if plan.tube.position:
         found.append(_tube_line(plan))
     return [*found, *(f"warning: {warning}" for warning in plan.warnings)]
