@@ -12,6 +12,7 @@ from typing import Any
 from ._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust, read_stdin
 from ._pictures import add_pictures, check_pictures, draw
 from .errors import TaskError
+from .kinds import part
 from .proving.cli import add_jobs, add_prove, searched
 
 
@@ -111,10 +112,9 @@ def _run(options: argparse.Namespace) -> int:
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
     """Returns the task with the values of the command line; errors name the flags."""
-    from .tasks.kind import searches
-
     flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
-    if options.search is not None and options.search not in (choices := searches(task.kind)):
+    choices = part("tasks", task.kind).SEARCHES
+    if options.search not in (None, *choices):
         shown = ", ".join(choices) or "none, there is a single one"
         raise TaskError(
             f"--search: {options.search}: not a search algorithm of {task.kind} tasks "

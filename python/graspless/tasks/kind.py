@@ -74,9 +74,3 @@ def task_kind(source: Source) -> TaskKind:
     with uncounted():
         kind: TaskKind = part("tasks", name)
     return kind
-
-
-def searches(kind: str) -> tuple[str, ...]:
-    """Returns the choices of options.search."""
-    choices: tuple[str, ...] = part("tasks", kind).SEARCHES
-    return choices
