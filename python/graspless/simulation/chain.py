@@ -21,10 +21,10 @@ from .. import timing
 from ..errors import TaskError
 from . import moved
 from .results import Trial
-from .settings import Slide
+from .settings import SLIDE_SPREAD, Slide
 from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import SPREAD, execute, running
+from .slide import execute, running
 from .slide.execution import Execution
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
 
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 _STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
 
 OPEN, RETREAT, REST = "open", "retreat", "rest"
+SPREAD = SLIDE_SPREAD
 FAILURES = {
     **moved.FAILURES,
     **SLIDE_FAILURES,
@@ -295,14 +296,3 @@ def _motions(carries: Sequence[AnyPlan], timestep: float) -> tuple[list[str], li
             names.append(segment.name if segment.name in (OPEN, RETREAT) else RAISE)
             moved.append(stretch(trajectory, i, timestep))
     return names, moved
-
-
-__all__ = [
-    "FAILURES",
-    "MEASURES",
-    "SPREAD",
-    "obstacles_of",
-    "require_simulated",
-    "run",
-    "start",
-]
