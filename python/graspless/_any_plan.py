@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
+from . import files, view
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -71,25 +73,17 @@ class AnyPlan:
         path : str or Path
             Name of the file, by custom .json.
         """
-        from . import files
-
         files.write(path, self.to_json())
 
     def plot(self) -> Figure:
         """Returns the picture of the plan as a figure of matplotlib."""
-        from . import view
-
         return view.figure(self._any)
 
     def show(self) -> None:
         """Shows the replay: inline in a notebook, otherwise in the web browser."""
-        from . import view
-
         view.show(self._any)
 
     def _repr_html_(self) -> str:
-        from . import view
-
         return view.html(self._any)
 
     @property

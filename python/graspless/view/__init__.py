@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -41,13 +42,10 @@ def write_png(plan: Plan, path: str | Path) -> None:
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
-
-    def drawn() -> bytes:
+    with _png(path) as write:
         from .figures import as_png
 
-        return as_png(figure(plan))
-
-    _write_png(path, drawn)
+        write(as_png(figure(plan)))
 
 
 def figure(plan: Plan) -> Figure:
@@ -90,13 +88,10 @@ def write_loops_png(points: ArrayLike, loops: geometry.Loops, path: str | Path) 
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
-
-    def drawn() -> bytes:
+    with _png(path) as write:
         from .loops import draw
 
-        return draw(points, loops)
-
-    _write_png(path, drawn)
+        write(draw(points, loops))
 
 
 def write_scene_png(scene: Scene, path: str | Path) -> None:
@@ -114,22 +109,19 @@ def write_scene_png(scene: Scene, path: str | Path) -> None:
         The file cannot be written, has another ending, or a package of `graspless[view]` is
         missing.
     """
-
-    def drawn() -> bytes:
+    with _png(path) as write:
         from .perceived import draw
 
-        return draw(scene)
-
-    _write_png(path, drawn)
+        write(draw(scene))
 
 
-def _write_png(path: str | Path, draw: Callable[[], bytes]) -> None:
-    """Writes a picture. Faults of the path are found before it is drawn."""
+@contextlib.contextmanager
+def _png(path: str | Path) -> Iterator[Callable[[bytes], None]]:
+    """Yields what writes a picture. Faults of the path are found before it is drawn."""
     check_png(path)
     files.check_writable(path)
     with _told():
-        picture = draw()
-    files.write(path, picture)
+        yield partial(files.write, path)
 
 
 def check_png(path: str | Path) -> None:

@@ -11,6 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from ..frames import Matrix
 
 INK = (0.15, 0.17, 0.20)
@@ -36,3 +38,14 @@ def draw_panel(axes: Any, picture: Matrix, caption: str, **title: Any) -> None:
     axes.imshow(picture, interpolation="antialiased")
     axes.set_title(caption, fontsize=11, color=INK, loc="left", **title)
     axes.set_axis_off()
+
+
+def panels(title: str, shown: Sequence[tuple[Matrix, str]]) -> Figure:
+    """Returns up to three rendered pictures beside each other, each with its caption."""
+    figure = new_figure(15, 4.7)
+    grid = figure.add_gridspec(1, 3, left=0.01, right=0.99, bottom=0.02, top=0.84, wspace=0.03)
+    for k, (picture, caption) in enumerate(shown):
+        axes = figure.add_subplot(grid[0, k] if len(shown) > 1 else grid[0, :])
+        draw_panel(axes, picture, caption, pad=3)
+    figure.suptitle(title, x=0.015, y=0.96, ha="left", fontsize=14, color=INK)
+    return figure

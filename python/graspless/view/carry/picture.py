@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ...report.carry import moved
 from .. import raster
-from ..figures import INK, draw_panel, new_figure
+from ..figures import panels
 from .film import film
 from .stage import Scene, camera
 
@@ -28,14 +28,8 @@ def draw(plan: Plan) -> Figure:
     rows = [0, last // 2, last] if last > 1 else [0]
     captions = ["1  start", "2  halfway", "3  goal"] if len(rows) > 1 else ["start"]
     view = camera(scene, rows, PANEL)
-    figure = new_figure(15, 4.7)
-    grid = figure.add_gridspec(1, 3, left=0.01, right=0.99, bottom=0.02, top=0.84, wspace=0.03)
-    for k, row in enumerate(rows):
-        axes = figure.add_subplot(grid[0, k] if len(rows) > 1 else grid[0, :])
-        picture = raster.render([*scene.still, *scene.moving(row)], view, *PANEL)
-        draw_panel(axes, picture, captions[k], pad=3)
-    figure.suptitle(headline(plan), x=0.015, y=0.96, ha="left", fontsize=14, color=INK)
-    return figure
+    drawn = [raster.render([*scene.still, *scene.moving(row)], view, *PANEL) for row in rows]
+    return panels(headline(plan), list(zip(drawn, captions, strict=True)))
 
 
 def headline(plan: Plan) -> str:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from ...report.pinch import width
 from .. import raster
-from ..figures import INK, draw_panel, new_figure
+from ..figures import panels
+from ..slide.film import film
 from ..slide.stage import camera, placed
-from .film import film
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,13 +28,8 @@ def draw(plan: Plan) -> Figure:
     moments = [(row, f"{k}  {text}") for k, (row, text) in enumerate(found, start=1)]
     moments = moments or [(0, "start")]
     view = camera(shown, *PANEL, [row for row, _ in moments])
-    figure = new_figure(15, 4.7)
-    grid = figure.add_gridspec(1, 3, left=0.01, right=0.99, bottom=0.02, top=0.84, wspace=0.03)
-    for k, (row, caption) in enumerate(moments):
-        axes = figure.add_subplot(grid[0, k] if len(moments) > 1 else grid[0, :])
-        draw_panel(axes, raster.render(placed(shown, row), view, *PANEL), caption, pad=3)
-    figure.suptitle(headline(plan), x=0.015, y=0.96, ha="left", fontsize=14, color=INK)
-    return figure
+    drawn = [(raster.render(placed(shown, row), view, *PANEL), text) for row, text in moments]
+    return panels(headline(plan), drawn)
 
 
 def headline(plan: Plan) -> str:

@@ -11,8 +11,8 @@ import numpy as np
 from ..film import spread, timed
 from ..film_stage import FilmStage
 from ..slide import bodies
+from ..slide.film import film
 from ..slide.stage import camera
-from .film import film
 
 if TYPE_CHECKING:
     from ...pinch import Plan
