@@ -54,7 +54,7 @@ nitpick_ignore_regex = [
     ("py:.*", r"(?!graspless\.).*"),
     (
         "py:class",
-        r"graspless\._any_plan\.AnyPlan|graspless\.tasks\.\w+T",
-    ),  # what all plans share; type variables
+        r"graspless\._any_plan\.AnyPlan|graspless\.tasks\.(\w+T|source\.Source)",
+    ),  # what all plans share; type variables; what tasks tell faults by
 ]
 suppress_warnings = ["ref.python"]  # of a name that several classes have as a property
