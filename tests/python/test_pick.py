@@ -288,6 +288,7 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
         ({"lift": -0.1}, "lift: -0.1"),
         ({"lift": float("nan")}, "lift: nan"),
         ({"mass": 0.0}, "mass: 0.0"),
+        ({"grip_force": -5.0}, "grip_force: -5.0"),
         ({"best_of": 0}, "best_of"),
         ({"seconds": -1.0}, "seconds"),
         ({"respect": "all"}, "respect: all: should be one of"),

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames, geometry, perception, pinch, slide
+from graspless import frames, geometry, perception, pinch, robot, slide
 from graspless.errors import TaskError
 from graspless.picking.strategies import chain_of
 from graspless.picking.wish import heights_fields, wish_of
@@ -165,6 +165,26 @@ def test_what_cannot_be_held_has_its_number(shapes, mass, status, words):
     attempt = picked.attempts[0]
     assert attempt.status == status, attempt.reason
     assert words in attempt.reason
+
+
+@pytest.mark.filterwarnings("ignore:.*<limit> without effort")
+def test_the_force_of_the_fingers_can_be_given(tmp_path):
+    """A hand without effort limits holds a wall if its force is known."""
+    arm = robot.builtin("wam_t42")
+    text = arm.read_text()
+    assert text.count(' effort="2"') == 2
+    (tmp_path / "arm.urdf").write_text(text.replace(' effort="2"', ""))
+    for ending in (".srdf", ".hand.yaml"):
+        (tmp_path / f"arm{ending}").write_text(arm.with_name(f"wam_t42{ending}").read_text())
+    scene, given = seen(box_cup()), {"strategies": ["rim"], "mass": 0.06}
+    unknown = graspless.pick(scene, "object_0", tmp_path / "arm.urdf", **given)
+    assert unknown.attempts[0].status == "unknown_force"
+    known = graspless.pick(scene, "object_0", tmp_path / "arm.urdf", grip_force=8.0, **given)
+    assert known.plan is not None, known.reason
+    assert known.plan.stages[0].task.options.grip_force == 8.0
+    assert graspless.check(known.plan) == []
+    weak = rim(scene, mass=0.06, grip_force=0.1)
+    assert "at 0.1 N a finger; it weighs 0.06 kg" in weak.attempts[0].reason
 
 
 def test_heights_are_seen_no_lower_than_they_are():

@@ -39,6 +39,7 @@ def pick(
     lift: float = 0.1,
     respect: Respect = "objects",
     mass: float | None = None,
+    grip_force: float | None = None,
     max_age: float | None = None,
     best_of: int = 1,
     seconds: float = 10.0,
@@ -74,6 +75,9 @@ def pick(
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
         Mass of the object [kg]: needed to tumble and push it, otherwise for simulations alone.
+    grip_force : float, optional
+        Force of each finger of the hand when it pinches [N]. Otherwise that of half the effort
+        limits of the joints that close it; walls are not pinched by a hand without such limits.
     max_age : float, optional
         Largest age of the images of the scene [s]. An older scene, and one without a `stamp`, is
         refused.
@@ -104,7 +108,9 @@ def pick(
     budget = planning.Budget(seconds=seconds, seed=seed)
     scene, file = read_scene(scene)
     wishes = {
-        label: wish_of(scene, file, name, one, lift=lift, respect=respect, mass=mass)
+        label: wish_of(
+            scene, file, name, one, lift=lift, respect=respect, mass=mass, grip_force=grip_force
+        )
         for label, one in labelled(robot).items()
     }
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]

@@ -72,6 +72,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--mass", type=float, metavar="KG", help="mass, needed to tumble and push [kg]"
     )
     parser.add_argument(
+        "--grip-force",
+        type=float,
+        metavar="N",
+        help="force of each finger that pinches [N] (default: by half the hand's effort limits)",
+    )
+    parser.add_argument(
         "--best-of", type=int, metavar="N", help="find N plans and keep the shortest (default: 1)"
     )
     parser.add_argument("--time", type=float, metavar="S", help="time limit [s] (default: 10)")
@@ -125,7 +131,7 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
         if options.name is None:
             raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
         given = {"scene": options.scene, "name": options.name}
-    same = ("robot", "lift", "respect", "max_age", "mass", "seed")
+    same = ("robot", "lift", "respect", "max_age", "mass", "grip_force", "seed")
     flags = {name: getattr(options, name) for name in same}
     flags |= {"best_of": options.best_of, "seconds": options.time}
     if options.strategies is not None:

@@ -117,6 +117,8 @@ def chain_of(
         grasp["object"] = {**grasp["object"], **object_fields(wish, way.smooth)}
     if way.cell > 0:
         grasp["object"] = {**grasp["object"], "heights": heights_fields(wish, way.cell)}
+    if kind == "pinch" and wish.grip_force is not None:
+        grasp["options"] = {"grip_force": wish.grip_force}
     if strategy == "slide":
         overhang = {} if way.overhang is None else {"min_overhang": way.overhang}
         grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True, **overhang}

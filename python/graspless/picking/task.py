@@ -39,6 +39,9 @@ class PickTask(Fields):
         default=None, description="largest age of the images of the scene [s]"
     )
     mass: Positive | None = Field(default=None, description="mass, needed to tumble and push [kg]")
+    grip_force: Positive | None = Field(
+        default=None, description="force of each finger that pinches [N]"
+    )
     best_of: Annotated[int, Field(ge=1)] = Field(
         default=1, description="number of plans, of which the shortest is kept"
     )

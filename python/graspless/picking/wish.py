@@ -59,6 +59,8 @@ class Wish:
         Height of the lift [m].
     mass : float or None
         [kg].
+    grip_force : float or None
+        Force of each finger that pinches, if not that of the hand's effort limits [N].
     beside, around : list of dict
         Obstacles of a task that has the support, and of one that needs it as an obstacle.
     """
@@ -70,6 +72,7 @@ class Wish:
     robot: dict[str, Any]
     lift: float
     mass: float | None
+    grip_force: float | None
     beside: list[dict[str, Any]]
     around: list[dict[str, Any]]
 
@@ -105,12 +108,15 @@ def wish_of(
     lift: float,
     respect: str,
     mass: float | None,
+    grip_force: float | None = None,
 ) -> Wish:
     """Returns what is asked for. Raises TaskError if there is no such object. `file` is named."""
     if not 0 < lift < 10:
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
     if mass is not None and not 0 < mass < 1e6:
         raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
+    if grip_force is not None and not 0 < grip_force < 1e6:
+        raise TaskError(f"grip_force: {grip_force!r}: should be a force in (0, 1e6) N")
     if respect not in scenes.RESPECTS:
         choices = ", ".join(scenes.RESPECTS)
         raise TaskError(f"respect: {respect}: should be one of {choices}")
@@ -126,6 +132,7 @@ def wish_of(
         robot=fields,
         lift=float(lift),
         mass=mass,
+        grip_force=grip_force,
         beside=documents(scenes.obstacles(scene, thing, respect, has_support=False)),
         around=documents(scenes.obstacles(scene, thing, respect, has_support=True)),
     )
