@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from graspless import frames
 from graspless.cli import main
 from graspless_bench.household import run, scenes
 
@@ -22,7 +23,7 @@ def folder(tmp_path):
 def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
     out = folder / "out"
     excluded = folder / "excluded.yaml"
-    excluded.write_text("crate: too large\nnone: not in the folder\n")
+    excluded.write_text("wam_t42: {crate: too large, none: not in the folder}\n")
     asked = ["bench", "household", str(folder), "--poses", "1", "--out", str(out), "--json"]
     asked += ["--excluded", str(excluded)]
     assert main(asked) == 0
@@ -32,24 +33,40 @@ def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
     assert rows["bar"]["strategy"] == "pinch"
     assert rows["crate"]["stage"] == "refused"
     assert "the hand opens" in rows["crate"]["reason"]
-    pick, kept, only = result["groups"][:3]
+    (setting,) = result["settings"]
+    assert (setting["robot"], setting["views"]) == ("wam_t42", 1)
+    pick, kept, only = setting["groups"][:3]
     assert (kept["held"], kept["trials"]) == (1, 1)
-    assert result["excluded"] == {"crate": "too large"}
+    assert result["excluded"] == {"wam_t42": {"crate": "too large"}}
     assert (pick["held"], pick["trials"], only["held"]) == (1, 2, 1)
     low, high = pick["band"]
     assert 0 < low < 0.5 < high < 1
     page = (out / "household.md").read_text()
-    assert "| bar |" in page
-    assert "- crate: too large" in page
+    assert "| bar | pinch: held |" in page
+    assert "- wam_t42, crate: too large" in page
     assert not (out / "household.rows").exists()
 
 
 def test_rows_of_an_interrupted_run_are_kept(folder, tmp_path):
     log = tmp_path / "rows"
-    row = {"mesh": "bar", "pose": 0, "robot": "wam_t42", "seed": 1, "stage": "kept"}
+    row = {"mesh": "bar", "pose": 0, "robot": "wam_t42", "views": 1, "seed": 1, "stage": "kept"}
     log.write_text(json.dumps(row) + "\n" + '{"mesh": "cut sh')
     (bar,) = [path for path in folder.iterdir() if path.stem == "bar"]
-    assert run.run([bar], ["wam_t42"], 1, {}, seed=1, log=log) == [row]
+    assert run.run([bar], ["wam_t42"], [1], 1, {}, seed=1, log=log) == [row]
+
+
+def test_two_views_see_all_sides(folder):
+    """A second camera sees the sides that the first one does not."""
+    mesh, (X, *_) = scenes.stable_poses(folder / "crate.stl", 1)
+    thing = scenes.placed(mesh, X, 0.3, np.random.default_rng(1))
+    middle = thing.points[:, 0].mean()
+    behind = []
+    for views in (1, 2):
+        (found,) = scenes.seen(thing, 5, views).objects
+        at = frames.transform(found.X_WO, np.asarray(found.points))
+        side = at[(at[:, 2] > 0.03) & (at[:, 2] < 0.17)]
+        behind.append((side[:, 0] > middle).mean())
+    assert behind[0] < 0.2 < 0.4 < behind[1]
 
 
 def test_the_parts_have_the_mass_and_the_place_of_the_mesh():
@@ -81,5 +98,7 @@ def test_bad_arguments_are_refused(folder, tmp_path, capsys):
     assert "bar: heavy: should be a mass in kg" in refused(folder, "--masses", masses)
     excluded = tmp_path / "excluded.yaml"
     assert "--excluded: " in refused(folder, "--excluded", excluded)
-    excluded.write_text("bar: 3\n")
-    assert "bar: 3: should be a reason, as text" in refused(folder, "--excluded", excluded)
+    excluded.write_text("wam_t42: {bar: 3}\n")
+    assert "wam_t42: " in (said := refused(folder, "--excluded", excluded))
+    assert "should have a reason for each mesh, as text" in said
+    assert "--views: 3: should be 1, 2 or 1,2" in refused(folder, "--views", "3")

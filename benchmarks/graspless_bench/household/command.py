@@ -24,8 +24,8 @@ def add_parser(experiments: Any) -> None:
     parser = experiments.add_parser(
         "household",
         help="objects of a folder: seen, picked up, and lifted in MuJoCo",
-        description="Lays each mesh of a folder on its largest sides on a table, renders what a "
-        "noisy depth camera sees, picks it up by whichever way works, and executes the plan in "
+        description="Lays each mesh of a folder on its largest sides on a table, renders what "
+        "noisy depth cameras see, picks it up by whichever way works, and executes the plan in "
         "MuJoCo with the true mesh as convex parts (needs `pip install vhacdx`).",
     )
     parser.add_argument("folder", type=Path, help="folder of meshes (.stl, .obj, .off, .ply) [m]")
@@ -35,6 +35,9 @@ def add_parser(experiments: Any) -> None:
     parser.add_argument(
         "--poses", type=positive(int), default=2, metavar="N", help="poses of each mesh (2)"
     )
+    parser.add_argument(
+        "--views", default="1", metavar="LIST", help="numbers of cameras, 1, 2 or 1,2 (%(default)s)"
+    )
     parser.add_argument("--mesh", action="append", metavar="NAME", help="only this one; repeat")
     parser.add_argument(
         "--masses", type=Path, metavar="FILE", help="YAML file of masses by name [kg] (default 0.2)"
@@ -43,8 +46,8 @@ def add_parser(experiments: Any) -> None:
         "--excluded",
         type=Path,
         metavar="FILE",
-        help="YAML file of the meshes that the hand cannot take, each with the reason; they are "
-        "run, and counted apart",
+        help="YAML file of the meshes that a robot's hand cannot take: `robot: {mesh: reason}`; "
+        "they are run, and counted apart",
     )
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the places (1)")
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
@@ -58,6 +61,12 @@ def add_parser(experiments: Any) -> None:
     parser.set_defaults(run=_run)
 
 
+def _views(text: str) -> list[int]:
+    if text not in ("1", "2", "1,2"):
+        raise TaskError(f"--views: {text}: should be 1, 2 or 1,2")
+    return [int(count) for count in text.split(",")]
+
+
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from ..see.command import chosen
@@ -66,6 +75,7 @@ def _run(options: argparse.Namespace) -> int:
 
     paths = chosen(options.folder, options.mesh)
     masses = read_masses(options.masses)
+    views = _views(options.views)
     excluded = read_excluded(options.excluded, {path.stem for path in paths})
     if find_spec("vhacdx") is None:
         raise TaskError("bench household: needs vhacdx for convex parts: pip install vhacdx")
@@ -76,7 +86,8 @@ def _run(options: argparse.Namespace) -> int:
         log = options.out / "household.rows"
     load = os.getloadavg()
     bar = Bar("bench household", len(paths))
-    rows = run(paths, options.robots.split(","), options.poses, masses, options.seed, log, bar.tell)
+    robots = options.robots.split(",")
+    rows = run(paths, robots, views, options.poses, masses, options.seed, log, bar.tell)
     bar.close()
     result = report.as_result(rows, load, excluded)
     if log is not None:

@@ -26,36 +26,49 @@ if TYPE_CHECKING:
 STRATEGIES = ("pinch", "rim", "slide", "clasp")
 
 
-def as_result(rows: list[Row], load: Sequence[float], excluded: Mapping[str, str]) -> Row:
+def as_result(
+    rows: list[Row], load: Sequence[float], excluded: Mapping[str, Mapping[str, str]]
+) -> Row:
     """Returns all of a run, as printed by `--json`.
 
-    `load`: load averages before it. `excluded`: reasons by the names of meshes.
+    `load`: load averages before it. `excluded`: reasons by robot and mesh.
     """
-    planned = [row for row in rows if row["strategy"] is not None]
-    groups = [_group("pick", rows, rows)]
-    if excluded:
-        kept = [row for row in rows if row["mesh"] not in excluded]
-        groups.append(_group("pick, without the excluded", kept, kept))
-    pinched = [row for row in rows if row["strategy"] == "pinch"]
-    groups.append(_group("pinch only", pinched, rows))
-    groups += [
-        _group(f"planned: {name}", some, some)
-        for name in STRATEGIES
-        if (some := [row for row in planned if row["strategy"] == name])
-    ]
-    names = sorted({(row["mesh"], row["robot"]) for row in rows})
+    settings = dict.fromkeys((row["robot"], row["views"]) for row in rows)
     return {
         "bench": "household",
         "rows": rows,
-        "groups": groups,
-        "excluded": dict(excluded),
-        "objects": [_object(name, robot, rows) for name, robot in names],
-        "pick_ms": _quantiles([row["pick_seconds"] for row in planned]),
+        "settings": [_setting(robot, views, rows, excluded) for robot, views in settings],
+        "excluded": {robot: dict(reasons) for robot, reasons in excluded.items()},
         "complaints": [
             f"{row['mesh']}: {row['reason']}" for row in rows if row["stage"] == "wrong"
         ],
         "machine": machine.machine(load, memory.resident_bytes()),
         "versions": machine.versions(),
+    }
+
+
+def _setting(
+    robot: str, views: int, rows: list[Row], excluded: Mapping[str, Mapping[str, str]]
+) -> Row:
+    """Returns the rates of a robot and a number of views."""
+    own = [row for row in rows if (row["robot"], row["views"]) == (robot, views)]
+    planned = [row for row in own if row["strategy"] is not None]
+    groups = [_group("pick", own, own)]
+    if reasons := excluded.get(robot):
+        kept = [row for row in own if row["mesh"] not in reasons]
+        groups.append(_group("pick, without the excluded", kept, kept))
+    pinched = [row for row in own if row["strategy"] == "pinch"]
+    groups.append(_group("pinch only", pinched, own))
+    groups += [
+        _group(f"planned: {name}", some, some)
+        for name in STRATEGIES
+        if (some := [row for row in planned if row["strategy"] == name])
+    ]
+    return {
+        "robot": robot,
+        "views": views,
+        "groups": groups,
+        "pick_ms": _quantiles([row["pick_seconds"] for row in planned]),
     }
 
 
@@ -72,16 +85,6 @@ def _group(name: str, some: list[Row], out_of: list[Row]) -> Row:
         "rate": held / len(out_of) if out_of else None,
         "band": [low, high],
         "stages": dict(stages),
-    }
-
-
-def _object(name: str, robot: str, rows: list[Row]) -> Row:
-    some = [row for row in rows if (row["mesh"], row["robot"]) == (name, robot)]
-    return {
-        "name": name,
-        "robot": robot,
-        "poses": [f"{row['strategy'] or '–'}: {row['stage']}" for row in some],
-        "reasons": [row["reason"] for row in some],
     }
 
 
@@ -103,46 +106,73 @@ GROUPS: list[Column] = [
         for stage in ("turned", "not_seen", "refused", "lost", "not_held")
     ),
 ]
-OBJECTS: list[Column] = [
-    ("robot", lambda row: row["robot"]),
-    ("poses", lambda row: "; ".join(row["poses"])),
-]
-REASONS: list[Column] = [
-    ("reasons", lambda row: "<br>".join(dict.fromkeys(r for r in row["reasons"] if r)) or "–"),
-]
 
 
 def as_text(result: Row) -> str:
     """Returns the tables for the terminal."""
-    ms = result["pick_ms"]
-    times = "no plan" if ms["p50"] is None else f"p50 {ms['p50']:.0f} ms, p90 {ms['p90']:.0f} ms"
-    groups = aligned("", result["groups"], GROUPS)
-    return f"{groups}\n\ntime of a pick that found a plan: {times}\n{_each(result)}"
+    parts = [
+        f"{_title(setting)}\n{aligned('', setting['groups'], GROUPS)}\n{_times(setting)}"
+        for setting in result["settings"]
+    ]
+    return "\n\n".join([*parts, aligned("object", _objects(result), _each(result))])
 
 
-def _each(result: Row) -> str:
-    return aligned("object", result["objects"], OBJECTS)
+def _title(setting: Row) -> str:
+    return f"{setting['robot']}, {'one view' if setting['views'] == 1 else 'two views'}"
 
 
-def _excluded(reasons: Mapping[str, str]) -> str:
-    if not reasons:
-        return "Nothing: nobody has sorted out the objects that the hand cannot take."
-    return "\n".join(f"- {name}: {reason}" for name, reason in sorted(reasons.items()))
+def _times(setting: Row) -> str:
+    ms = setting["pick_ms"]
+    if ms["p50"] is None:
+        return "No plan was found."
+    return (
+        f"A pick that found a plan took {ms['p50']:.0f} ms (median) and {ms['p90']:.0f} ms (90 %), "
+        "reading of the robot included, the cameras not."
+    )
+
+
+def _objects(result: Row) -> list[Row]:
+    """Returns a row for each mesh, with its trials by setting."""
+    found: dict[str, Row] = {}
+    for row in result["rows"]:
+        own = found.setdefault(row["mesh"], {"name": row["mesh"]})
+        stage = row["stage"].replace("_", " ")
+        shown = stage if row["strategy"] is None else f"{row['strategy']}: {stage}"
+        own.setdefault((row["robot"], row["views"]), []).append(shown)
+    return sorted(found.values(), key=lambda row: str(row["name"]))
+
+
+def _each(result: Row) -> list[Column]:
+    return [
+        (_title(s), lambda row, key=(s["robot"], s["views"]): "; ".join(row.get(key, [])))
+        for s in result["settings"]
+    ]
+
+
+def _excluded(reasons: Mapping[str, Mapping[str, str]]) -> str:
+    if not any(reasons.values()):
+        return "Nothing: nobody has sorted out the objects that a hand cannot take."
+    return "\n".join(
+        f"- {robot}, {name}: {reason}"
+        for robot, some in sorted(reasons.items())
+        for name, reason in sorted(some.items())
+    )
 
 
 def write(result: Row, directory: Path) -> None:
     """Writes household.json and household.md into a folder."""
     (directory / "household.json").write_text(json.dumps(result, indent=1) + "\n")
-    ms = result["pick_ms"]
-    shown = {key: "–" if value is None else f"{value:.0f}" for key, value in ms.items()}
+    tables = [
+        f"### {_title(setting)}\n\n{markdown(setting['groups'], GROUPS, '')}\n\n{_times(setting)}"
+        for setting in result["settings"]
+    ]
+    objects = _objects(result)
     facts: dict[str, Any] = {
         "trials": len(result["rows"]),
-        "objects": len(result["objects"]),
-        "p50": shown["p50"],
-        "p90": shown["p90"],
+        "objects": len(objects),
         "excluded": _excluded(result["excluded"]),
-        "groups": markdown(result["groups"], GROUPS, ""),
-        "each": markdown(result["objects"], OBJECTS + REASONS, "object"),
+        "groups": "\n\n".join(tables),
+        "each": markdown(objects, _each(result), "object"),
     }
     facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
     page = string.Template(template("household")["head"]).substitute(facts)

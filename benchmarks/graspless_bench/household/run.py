@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Trials: one per object, pose and robot."""
+"""Trials: one per object, pose, robot and number of views."""
 
 from __future__ import annotations
 
 import json
 import time
+from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +22,6 @@ from . import scenes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from pathlib import Path
 
     from ..machine import Row
 
@@ -33,35 +34,47 @@ HEAVY = 0.2  # mass of an object that nobody gave [kg]
 def run(
     paths: Sequence[Path],
     robots: Sequence[str],
+    views: Sequence[int],
     poses: int,
     masses: dict[str, float],
     seed: int,
     log: Path | None = None,
     tell: Callable[[int], object] = lambda done: None,
 ) -> list[Row]:
-    """Returns one row per object, pose and robot. Rows of the log are not run again."""
+    """Returns one row per object, pose, robot and number of views, in this order.
+
+    Rows of the log are not run again.
+    """
     rows = _logged(log, seed)
     done = {_key(row) for row in rows}
     for i, path in enumerate(paths):
         mesh, lying = scenes.stable_poses(path, poses)
         for pose, X in enumerate(lying):
-            for robot in robots:
-                if (path.stem, pose, robot) in done:
+            for robot, count in product(robots, views):
+                label = label_of(robot)
+                if (path.stem, pose, label, count) in done:
                     continue
                 rng = np.random.default_rng([seed, pose, *path.stem.encode()])
                 thing = scenes.placed(mesh, X, masses.get(path.stem, HEAVY), rng)
-                head = {"mesh": path.stem, "pose": pose, "robot": robot, "seed": seed}
-                rows.append(head | trial(thing, robot, int(rng.integers(1, 2**31))))
+                head = {"mesh": path.stem, "pose": pose, "robot": label, "views": count}
+                outcome = trial(thing, robot, count, int(rng.integers(1, 2**31)))
+                rows.append(head | {"seed": seed} | outcome)
                 _write(log, rows[-1])
         tell(i + 1)
-    wanted = {(path.stem, robot) for path in paths for robot in robots}
-    return [row for row in rows if (row["mesh"], row["robot"]) in wanted]
+    settings = product(map(label_of, robots), views)
+    wanted = set(product((path.stem for path in paths), settings))
+    return [row for row in rows if (row["mesh"], (row["robot"], row["views"])) in wanted]
 
 
-def trial(thing: scenes.Placed, robot: str, seed: int) -> Row:
+def label_of(robot: str) -> str:
+    """Returns the name of a robot that comes with graspless, or of the URDF without its folder."""
+    return Path(robot).name.removesuffix(".urdf")
+
+
+def trial(thing: scenes.Placed, robot: str, views: int, seed: int) -> Row:
     """Sees, picks and lifts an object; returns what became of it."""
     began = time.perf_counter()
-    scene = scenes.seen(thing, seed)
+    scene = scenes.seen(thing, seed, views)
     row: Row = {"see_seconds": time.perf_counter() - began, "strategy": None}
     found = scenes.nearest(scene, thing) if scene else None
     if found is None:
@@ -108,18 +121,24 @@ def read_masses(path: Path | None) -> dict[str, float]:
     return {name: float(mass) for name, mass in masses.items()}
 
 
-def read_excluded(path: Path | None, names: set[str]) -> dict[str, str]:
-    """Returns the reasons of a YAML file by the names of the meshes; of those in `names` only."""
-    reasons = _by_name("--excluded", path, _is_reason, "should be a reason, as text")
-    return {name: reason for name, reason in reasons.items() if name in names}
+def read_excluded(path: Path | None, names: set[str]) -> dict[str, dict[str, str]]:
+    """Returns the reasons of a YAML file by robot and mesh; of the meshes in `names` only."""
+    should = "should have a reason for each mesh, as text"
+    reasons = _by_name("--excluded", path, _are_reasons, should)
+    return {
+        robot: {name: some[name] for name in sorted(names & some.keys())}
+        for robot, some in reasons.items()
+    }
 
 
 def _is_mass(value: Any) -> bool:
     return isinstance(value, (int, float)) and 0 < value < 1e4
 
 
-def _is_reason(value: Any) -> bool:
-    return isinstance(value, str) and bool(value.strip())
+def _are_reasons(value: Any) -> bool:
+    return isinstance(value, dict) and all(
+        isinstance(reason, str) and reason.strip() for reason in value.values()
+    )
 
 
 def _by_name(
@@ -152,5 +171,5 @@ def _write(log: Path | None, row: Row) -> None:
             file.write(json.dumps(row) + "\n")
 
 
-def _key(row: Row) -> tuple[str, int, str]:
-    return row["mesh"], row["pose"], row["robot"]
+def _key(row: Row) -> tuple[str, int, str, int]:
+    return row["mesh"], row["pose"], row["robot"], row["views"]

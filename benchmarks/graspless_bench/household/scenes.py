@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 TABLE = (0.7, 0.7, 0.04)  # [m]; its top is in z = 0 of the robot's base
 CENTER = (0.65, 0.0)  # of the table [m]
 FLOOR = -0.75  # [m]
-EYE = (-0.05, 0.0, 0.75)  # of the camera [m]
+EYES = ((-0.05, 0.0, 0.75), (1.35, 0.0, 0.75))  # of the cameras: at the base, and opposite [m]
 ROOM = 0.12  # half width of the square in which objects are placed [m]
 PARTS = 32  # convex parts of an object, at most
 
@@ -92,8 +92,8 @@ def placed(mesh: Any, X_lying: Matrix, mass: float, rng: np.random.Generator) ->
     return Placed(mesh, np.asarray(X_WT), mass)
 
 
-def seen(thing: Placed, seed: int) -> perception.Scene:
-    """Returns what a noisy depth camera beside the robot's base sees of the table."""
+def seen(thing: Placed, seed: int, views: int) -> perception.Scene:
+    """Returns what noisy depth cameras see of the table: the first `views` of EYES."""
     bodies = [
         _box(TABLE, (*CENTER, -TABLE[2] / 2)),
         _box((6, 6, 0.02), (0.65, 0.0, FLOOR)),
@@ -101,8 +101,12 @@ def seen(thing: Placed, seed: int) -> perception.Scene:
             [geometry.PlacedShape(geometry.Mesh(thing.mesh.vertices, thing.mesh.faces))], thing.X_WT
         ),
     ]
-    frame = perception.render(bodies, perception.look_at(EYE, [*CENTER, 0.0]), seed=seed)
-    return perception.perceive(frame.depth, frame.K, frame.X_WC)
+    frames_seen = [
+        perception.render(bodies, perception.look_at(eye, [*CENTER, 0.0]), seed=seed + i)
+        for i, eye in enumerate(EYES[:views])
+    ]
+    depth, X_WC = ([getattr(f, name) for f in frames_seen] for name in ("depth", "X_WC"))
+    return perception.perceive(depth, frames_seen[0].K, X_WC)
 
 
 def nearest(scene: perception.Scene, thing: Placed) -> perception.Object | None:

@@ -80,8 +80,8 @@ WAYS = {
     "pinch": [Way(SMOOTH), Way()],
     "rim": [Way(cell=FINE)],
     "slide": [
-        Way(SMOOTH, NEAR_EDGE, 2000, uneven=UNEVEN),
-        Way(SMOOTH, NEAR_EDGE, 2000),
+        Way(SMOOTH, NEAR_EDGE, 800, uneven=UNEVEN),
+        Way(SMOOTH, NEAR_EDGE, 800),
         Way(SMOOTH),
     ],
     "clasp": [Way()],
