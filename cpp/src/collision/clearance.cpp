@@ -23,30 +23,16 @@ double checked(double cell) {
 
 }  // namespace
 
-struct Clearance::Surface {
-  explicit Surface(const geometry::Mesh& mesh)
-      : triangles(std::make_shared<const ClearanceCells::Triangles>(surface_triangles(mesh))),
-        tree(std::make_shared<const ClearanceTree>(*triangles)) {}
-
-  std::shared_ptr<const ClearanceCells::Triangles> triangles;
-  std::shared_ptr<const ClearanceTree> tree;
-};
-
-struct Clearance::Grid {
-  ClearanceCells cells;
-};
-
 Clearance::Clearance(const geometry::Mesh& mesh, double cell) {
   geometry::validate(mesh, "mesh");
   checked(cell);
-  surface_ = std::make_shared<const Surface>(mesh);
-  grid_ = std::make_unique<Grid>(Grid{{surface_->triangles, surface_->tree, cell}});
+  tree_ = std::make_shared<const ClearanceTree>(surface_triangles(mesh));
+  cells_ = std::make_unique<ClearanceCells>(tree_, cell);
 }
 
 Clearance::Clearance(const Clearance& other)
-    : surface_(other.surface_),
-      grid_(std::make_unique<Grid>(
-          Grid{{surface_->triangles, surface_->tree, other.grid_->cells.cell()}})) {}
+    : tree_(other.tree_),
+      cells_(std::make_unique<ClearanceCells>(other.tree_, other.cells_->cell())) {}
 
 Clearance& Clearance::operator=(const Clearance& other) { return *this = Clearance(other); }
 
@@ -56,7 +42,7 @@ Clearance::~Clearance() = default;
 
 double Clearance::distance(const Eigen::Vector3d& point, double limit) const {
   require_finite(point);
-  return surface_->tree->distance(point, std::max(limit, 0.0));
+  return tree_->distance(point, std::max(limit, 0.0));
 }
 
 Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {
@@ -65,15 +51,15 @@ Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {
 }
 
 Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point) {
-  return grid_->cells.covers(point) ? grid_->cells.bounds(point) : exactly(point);
+  return cells_->covers(point) ? cells_->bounds(point) : exactly(point);
 }
 
 Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point, double threshold) {
-  return grid_->cells.covers(point) ? grid_->cells.bounds(point, threshold) : exactly(point);
+  return cells_->covers(point) ? cells_->bounds(point, threshold) : exactly(point);
 }
 
 Clearance::Bounds Clearance::rough_bounds(const Eigen::Vector3d& point, double threshold) {
-  return grid_->cells.covers(point) ? grid_->cells.rough_bounds(point, threshold) : exactly(point);
+  return cells_->covers(point) ? cells_->rough_bounds(point, threshold) : exactly(point);
 }
 
 }  // namespace graspless::collision

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -15,20 +15,15 @@
 #include "graspless/collision/clearance.hpp"
 
 #include "collision/clearance_tree.hpp"
-#include "collision/clearance_triangles.hpp"
 
 namespace graspless::collision {
 
 /// Distance bounds from a grid of cells. Not thread-safe.
 ///
-/// A cell that is subdivided keeps the triangles that may be nearest to any of its points. Its
-/// parts consider no others, so the smaller a cell, the cheaper its distance.
+/// A cell keeps the triangle that is nearest to its centre, where the searches of its parts begin.
 class ClearanceCells {
  public:
-  using Triangles = std::vector<SurfaceTriangle>;
-
-  ClearanceCells(std::shared_ptr<const Triangles> triangles,
-                 std::shared_ptr<const ClearanceTree> tree, double cell);
+  ClearanceCells(std::shared_ptr<const ClearanceTree> tree, double cell);
 
   double cell() const { return cell_; }
   /// True if the point is near enough to the origin for cells to have numbers there.
@@ -55,33 +50,21 @@ class ClearanceCells {
 
  private:
   static constexpr int kParts = 4;      // per side of a cell
-  static constexpr int kCellLevel = 3;  // cell = root / 4^3
-  static constexpr int kFinestLevel = 4;
+  static constexpr int kCellLevel = 2;  // cell = root / 4^2
+  static constexpr int kFinestLevel = 3;
   static constexpr double kEnough =
       0.3;  // margin beyond the threshold, in units of a cell's uncertainty
   static constexpr double kMostRoots = 1 << 20;
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kRounding = 1e-7;  // relative error of a distance in single precision
-  // For a cube of side 1: half its diagonal, and the largest distance of its centre from the centre
-  // of the cube that contains it.
-  static constexpr double kHalfDiagonal = 0.8660254037844387;
-  static constexpr double kMostOffset = (kParts - 1) * kHalfDiagonal;
 
   using Number = Eigen::Matrix<std::int64_t, 3, 1>;
 
   struct Cell {
     float distance = -1;  // of the centre; negative: not computed yet
+    int triangle = 0;     // nearest to the centre
     int parts = -1;       // index in blocks_; negative: not subdivided
   };
-  struct Near {
-    float distance;  // lower bound on the triangle's distance from the centre of the cell
-    int triangle;
-  };
-  using List = std::vector<Near>;
-  struct Block {
-    std::array<Cell, kParts * kParts * kParts> cells;
-    List nearest;  // triangles to consider, the nearest first
-  };
+  using Block = std::array<Cell, kParts * kParts * kParts>;
   struct Slot {
     std::uint64_t key;
     int root;  // index in roots_; -1 in a free slot
@@ -91,20 +74,15 @@ class ClearanceCells {
   Clearance::Bounds descend(const Eigen::Vector3d& point, int last_level, Settled settled);
   Cell& root(const Number& number);
   std::size_t find(std::uint64_t key) const;
-  double measure(const Eigen::Vector3d& point, double offset, const List& nearest) const;
-  int cut(const Cell& cell, const Eigen::Vector3d& middle, double side, const List& nearest);
   void clear();
   void grow();
 
-  std::shared_ptr<const Triangles> triangles_;
   std::shared_ptr<const ClearanceTree> tree_;
-  List all_;  // triangles of a root cell
   double cell_, root_, per_root_;
   std::vector<Slot> slots_;  // a power of two, at most half full
   int shift_ = 0;
   std::vector<Cell> roots_;
   std::vector<std::unique_ptr<Block>> blocks_;
-  std::size_t listed_ = 0;  // number of triangles in all blocks
   std::uint64_t last_key_ = 0;
   int last_root_ = -1;
 };
@@ -118,32 +96,33 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
   Eigen::Vector3d within = scaled - number.cast<double>();  // of the cell, in [0, 1)
   double side = root_;
   Cell* cell = &root(number);
-  const List* nearest = &all_;
+  int hint = cell->triangle;
   for (int level = 0;; ++level) {
     const Eigen::Vector3d from_middle = side * (within.array() - 0.5).matrix();
     if (cell->distance < 0) {
-      const Eigen::Vector3d middle = point - from_middle;
-      cell->distance =
-          static_cast<float>(level < kCellLevel ? tree_->distance(middle, kInfinity)
-                                                : measure(middle, kMostOffset * side, *nearest));
+      const NearTriangle near = tree_->nearest(point - from_middle, hint);
+      cell->distance = static_cast<float>(std::sqrt(near.squared));
+      cell->triangle = near.triangle;
     }
     const auto distance = static_cast<double>(cell->distance);
     const double offset = from_middle.norm() + kRounding * distance;
     const Clearance::Bounds bounds{std::max(0.0, distance - offset), distance + offset};
     if (level == last_level || settled(bounds, offset)) return bounds;
-    if (cell->parts < 0) cell->parts = cut(*cell, point - from_middle, side, *nearest);
-    Block& block = *blocks_[static_cast<std::size_t>(cell->parts)];
+    hint = cell->triangle;
     if (level == kFinestLevel) {
-      const double exact = measure(point, offset, block.nearest);
+      const double exact = std::sqrt(tree_->nearest(point, hint).squared);
       return {exact, exact};
+    }
+    if (cell->parts < 0) {
+      cell->parts = static_cast<int>(blocks_.size());
+      blocks_.push_back(std::make_unique<Block>());
     }
     within *= kParts;
     const Eigen::Vector3i part = within.cast<int>().cwiseMin(kParts - 1);
     within -= part.cast<double>();
     side /= kParts;
     const int index = (part.x() * kParts + part.y()) * kParts + part.z();
-    cell = &block.cells[static_cast<std::size_t>(index)];
-    nearest = &block.nearest;
+    cell = &(*blocks_[static_cast<std::size_t>(cell->parts)])[static_cast<std::size_t>(index)];
   }
 }
 

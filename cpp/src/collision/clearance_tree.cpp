@@ -3,77 +3,111 @@
 #include "collision/clearance_tree.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <mutex>
-#include <vector>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include <Eigen/Geometry>
 
 #include "graspless/watch.hpp"
 
 namespace graspless::collision {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangle = Kernel::Triangle_3;
-using Triangles = std::vector<Triangle>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Boxes = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Eigen::Vector3d;
 
-// Number of points of the surface at which a search may begin.
-constexpr Eigen::Index kHints = 64;
-
-constexpr double kBeyond = 1e-9;  // how far beyond the limit a search begins [m]
-
-Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kBeyond = 1e-9;  // how far beyond the limit a search goes [m]
 
 }  // namespace
 
-struct ClearanceTree::Impl {
-  Triangles triangles;
-  Boxes boxes;
-  std::once_flag built;
+ClearanceTree::ClearanceTree(std::vector<SurfaceTriangle> triangles)
+    : triangles_(std::move(triangles)) {}
 
-  const Boxes& tree() {
-    std::call_once(built, [this] {
-      boxes.insert(triangles.cbegin(), triangles.cend());
-      boxes.do_not_accelerate_distance_queries();  // hints are as fast, and cost nothing to build
-      boxes.build();
+const ClearanceTree::Node& ClearanceTree::root() const {
+  std::call_once(built_, [this] {
+    nodes_.clear();  // of a call that was stopped
+    std::vector<int> all(triangles_.size());
+    std::iota(all.begin(), all.end(), 0);
+    add_node(all.begin(), all.end());
+  });
+  return nodes_.front();
+}
+
+/// Adds the node of some triangles and those below it. Returns its index.
+int ClearanceTree::add_node(Iterator begin, Iterator end) const {
+  poll();
+  const std::size_t index = nodes_.size();
+  nodes_.emplace_back();
+  nodes_[index].low.setConstant(kNowhere);
+  nodes_[index].high.setConstant(kNowhere);
+  const Iterator half = halve(begin, end);
+  const std::array ends = {begin, halve(begin, half), half, halve(half, end), end};
+  for (std::size_t k = 0; k < kChildren; ++k) {
+    const auto count = ends[k + 1] - ends[k];
+    if (count == 0) continue;
+    Eigen::AlignedBox3d box;
+    std::for_each(ends[k], ends[k + 1], [&](int i) {
+      const SurfaceTriangle& t = triangle(i);
+      box.extend(t.a).extend(t.a + t.ab).extend(t.a + t.ac);
     });
-    return boxes;
+    const int child = count == 1 ? ~*ends[k] : add_node(ends[k], ends[k + 1]);
+    Node& node = nodes_[index];
+    node.low.row(static_cast<Eigen::Index>(k)) = box.min().transpose();
+    node.high.row(static_cast<Eigen::Index>(k)) = box.max().transpose();
+    node.children[k] = child;
   }
-};
+  return static_cast<int>(index);
+}
 
-ClearanceTree::ClearanceTree(const std::vector<SurfaceTriangle>& triangles)
-    : impl_(std::make_unique<Impl>()) {
-  for (const SurfaceTriangle& triangle : triangles) {
-    poll();
-    const Eigen::Vector3d &a = triangle.a, b = a + triangle.ab, c = a + triangle.ac;
-    impl_->triangles.emplace_back(to_cgal(a), to_cgal(b), to_cgal(c));
-  }
-  const auto count = static_cast<Eigen::Index>(triangles.size());
-  hints_.resize(3, std::min(kHints, count));
-  for (Eigen::Index i = 0; i < hints_.cols(); ++i) {
-    hints_.col(i) = triangles[static_cast<std::size_t>(i * count / hints_.cols())].a;
+/// Sorts triangles into halves across the direction in which they are spread most.
+ClearanceTree::Iterator ClearanceTree::halve(Iterator begin, Iterator end) const {
+  const Iterator half = begin + (end - begin) / 2;
+  Eigen::AlignedBox3d middles;
+  std::for_each(begin, end, [&](int i) { middles.extend(triangle(i).middle); });
+  Eigen::Index axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  std::nth_element(begin, half, end, [&](int i, int k) {
+    return triangle(i).middle[axis] < triangle(k).middle[axis];
+  });
+  return half;
+}
+
+ClearanceTree::Squares ClearanceTree::Node::squared_distances(const Vector3d& point) const {
+  Squares squares = Squares::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    squares += (low.col(axis) - point[axis]).max(point[axis] - high.col(axis)).max(0).square();
+  return squares;
+}
+
+/// Searches the boxes that are nearer than the best triangle, the nearest first.
+void ClearanceTree::search(const Node& node, const Vector3d& point, NearTriangle& best) const {
+  Squares squares = node.squared_distances(point);
+  Eigen::Index nearest = 0;
+  while (squares.minCoeff(&nearest) < best.squared) {
+    squares[nearest] = kNowhere;
+    const int child = node.children[static_cast<std::size_t>(nearest)];
+    if (child >= 0) {
+      search(nodes_[static_cast<std::size_t>(child)], point, best);
+    } else {
+      const double squared = squared_distance(triangle(~child), point);
+      if (squared < best.squared) best = {~child, squared};
+    }
   }
 }
 
-ClearanceTree::~ClearanceTree() = default;
+NearTriangle ClearanceTree::nearest(const Vector3d& point, int hint) const {
+  NearTriangle best{hint, squared_distance(triangle(hint), point)};
+  search(root(), point, best);
+  return best;
+}
 
-double ClearanceTree::distance(const Eigen::Vector3d& point, double limit) const {
-  Eigen::Index best = 0;
-  const double squared = (hints_.colwise() - point).colwise().squaredNorm().minCoeff(&best);
-  Eigen::Vector3d hint = hints_.col(best);
-  const bool is_limited = squared > limit * limit;
-  if (is_limited) hint = point + Eigen::Vector3d(limit + kBeyond, 0, 0);
-  const auto found = impl_->tree().closest_point(to_cgal(point), to_cgal(hint));
-  const Eigen::Vector3d nearest(found.x(), found.y(), found.z());
-  const double distance = (point - nearest).norm();
-  if (is_limited && distance > limit) return std::numeric_limits<double>::infinity();
-  return distance;
+double ClearanceTree::distance(const Vector3d& point, double limit) const {
+  NearTriangle best{-1, (limit + kBeyond) * (limit + kBeyond)};
+  search(root(), point, best);
+  const double distance = std::sqrt(best.squared);
+  return best.triangle < 0 || distance > limit ? kNowhere : distance;
 }
 
 }  // namespace graspless::collision

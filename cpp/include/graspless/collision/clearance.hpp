@@ -13,10 +13,13 @@
 
 namespace graspless::collision {
 
+class ClearanceCells;
+class ClearanceTree;
+
 /// Distance from points to a triangle surface. Decides the clear cases before FCL is called.
 ///
-/// Exact distances come from CGAL's AABB tree, which is built at the first call. Bounds come from
-/// an unlimited grid whose cells are subdivided and filled on demand: moving a point changes its
+/// Exact distances come from a tree of boxes, which is built at the first call. Bounds come from an
+/// unlimited grid whose cells are subdivided and filled on demand: moving a point changes its
 /// distance by at most the length of the move. Not thread-safe: give each thread a copy. Copies
 /// share the surface and start with an empty grid.
 class GRASPLESS_API Clearance {
@@ -49,10 +52,8 @@ class GRASPLESS_API Clearance {
  private:
   Bounds exactly(const Eigen::Vector3d& point) const;
 
-  struct Surface;
-  struct Grid;
-  std::shared_ptr<const Surface> surface_;
-  std::unique_ptr<Grid> grid_;
+  std::shared_ptr<const ClearanceTree> tree_;
+  std::unique_ptr<ClearanceCells> cells_;
 };
 
 }  // namespace graspless::collision
