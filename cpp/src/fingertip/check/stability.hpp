@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "fingertip/check/instant.hpp"
+#include "mechanics/lp/basis.hpp"
 
 namespace graspless::fingertip::checking {
 
-/// Solves Problem (6) with f_com fixed. Mostly the same forces carry the largest z of a direction
-/// at the next instant. A direction in which they carry more than the least z so far is not solved.
+/// Solves Problem (6) with f_com fixed. Mostly the same contacts carry the largest z of a direction
+/// at the next instant. A direction in which they carry more than the least z so far is not solved,
+/// nor is one in which their forces can be mixed with inner ones, which carry nothing, to carry z.
 class Stabilities {
  public:
   explicit Stabilities(mechanics::Matrix6Xd directions)
       : directions_(std::move(directions)),
-        supports_(static_cast<std::size_t>(directions_.cols())) {}
+        supports_(static_cast<std::size_t>(directions_.cols())),
+        bases_(supports_.size()) {}
 
   /// The least over the directions l_d of the largest z with z l_d in balance; 0 without an
   /// equilibrium.
@@ -30,11 +33,15 @@ class Stabilities {
   static Support support_of(const Eigen::VectorXd& x, const mechanics::LinearProgram& lp,
                             const Eigen::MatrixXd& A);
   static bool holds(const Support& support, const mechanics::LinearProgram& lp,
-                    const Eigen::MatrixXd& A, double z);
+                    const Eigen::MatrixXd& A, const Eigen::VectorXd& inner, double z);
+  Eigen::VectorXd inner(mechanics::LinearProgram lp, const Eigen::MatrixXd& A);
 
   mechanics::Matrix6Xd directions_;
-  std::vector<Support> supports_;  // of each direction, at the last instant that was solved
-  Eigen::Index weakest_ = 0;       // direction of the last instant
+  // Of each direction, at the last instant at which it was solved.
+  std::vector<Support> supports_;
+  std::vector<mechanics::LpBasis> bases_;
+  mechanics::LpBasis inner_basis_;  // of the last instant
+  Eigen::Index weakest_ = 0;        // direction of the last instant
 };
 
 }  // namespace graspless::fingertip::checking

@@ -208,6 +208,7 @@ long double magnification(double error) { return 1 / std::max(error, 1e-12); }
 
 LpVertex vertex_of(const LinearProgram& lp, const LpBasis& basis) {
   LpVertex vertex;
+  vertex.basis = basis;
   LpSolution& solution = vertex.solution;
   solution.status = basis.status;
   solution.objective = basis.status == LpStatus::unbounded ? kInfinity : 0;

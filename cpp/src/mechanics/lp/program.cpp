@@ -82,11 +82,15 @@ double error(const LpSolution& solution) {
   return std::max(solution.primal_error, solution.dual_error);
 }
 
+bool is_good(const LpSolution& solution) {
+  return solution.status == LpStatus::optimal && error(solution) <= kGoodError;
+}
+
 /// Returns the vertex that a method finds from a basis, refined (Gleixner, Steffy and Wolter 2012):
 /// the method accepts errors up to its tolerance, so it finds a better basis for the program in
 /// which they are magnified. Returns nothing if the method fails.
-std::optional<LpSolution> solve_by(const GlpkMethod& method, const LinearProgram& lp,
-                                   LpBasis basis = {}) {
+std::optional<LpVertex> solve_by(const GlpkMethod& method, const LinearProgram& lp,
+                                 LpBasis basis = {}) {
   if (!find_basis(lp, method, &basis)) return std::nullopt;
   LpVertex best = vertex_of(lp, basis);
   for (int round = 0; round < kMagnifications; ++round) {
@@ -97,7 +101,7 @@ std::optional<LpSolution> solve_by(const GlpkMethod& method, const LinearProgram
     if (error(next.solution) >= error(best.solution)) break;
     best = std::move(next);
   }
-  return best.solution;
+  return best;
 }
 
 /// Phase one of the simplex method: the program of least violation of the rows. It has the
@@ -143,9 +147,11 @@ LpSolution best_answer(const LinearProgram& lp, const LpBasis& start) {
   LpSolution best;
   best.primal_error = kInfinity;
   for (const GlpkMethod& method : methods) {
-    const auto solution = solve_by(method, lp, start);
-    if (!solution || (!start.rows.empty() && solution->status == LpStatus::infeasible)) continue;
-    if (error(*solution) < error(best)) best = *solution;
+    const auto vertex = solve_by(method, lp, start);
+    if (!vertex) continue;
+    const LpSolution& solution = vertex->solution;
+    if (!start.rows.empty() && solution.status == LpStatus::infeasible) continue;
+    if (error(solution) < error(best)) best = solution;
     if (error(best) <= kGoodError) break;
   }
   return best;
@@ -186,8 +192,8 @@ LpSolution solve_lp(const LinearProgram& lp) {
     // rows whose bounds are closer together than that. A vertex proves the opposite.
     const auto vertex = solve_by({false, kSharpTolerance}, lp);
     LpBasis start;
-    if (vertex && vertex->status == LpStatus::optimal && error(*vertex) <= kGoodError) {
-      best = *vertex;
+    if (vertex && is_good(vertex->solution)) {
+      best = vertex->solution;
     } else if (is_feasible(lp, &start)) {
       best = best_answer(lp, start);
     }
@@ -198,6 +204,18 @@ LpSolution solve_lp(const LinearProgram& lp) {
         std::to_string(error(best)));
   }
   return best;
+}
+
+LpSolution solve_lp(const LinearProgram& lp, LpBasis& basis) {
+  const bool fits =
+      basis.rows.size() == lp.row_lower.size() && basis.variables.size() == lp.lower.size();
+  if (!fits) basis = {};
+  poll();
+  validate(lp);
+  const auto vertex = solve_by({true, 1e-9}, lp, std::exchange(basis, {}));
+  if (!vertex || !is_good(vertex->solution)) return solve_lp(lp);
+  basis = vertex->basis;
+  return vertex->solution;
 }
 
 }  // namespace graspless::mechanics

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
+#include "mechanics/lp/basis.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -31,6 +32,36 @@ TEST(Lp, Optimal) {
   EXPECT_DOUBLE_EQ(solution.objective, 7);
   EXPECT_TRUE(solution.x.isApprox(Eigen::Vector2d(1, 3), 1e-15));
   EXPECT_TRUE(solution.duals.isApprox(Eigen::Vector2d(1.5, -0.5), 1e-15));
+}
+
+/// Programs that change step by step have the same answers from the basis of the last one, from
+/// that of another one, and from none.
+TEST(Lp, AnyBasisMayBeTheFirst) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> side(-1, 1);
+  LpBasis last, other;
+  solve_lp(small(), other);
+  int optimal = 0;
+  Eigen::MatrixXd A(5, 12);
+  for (int step = 0; step < 200; ++step) {
+    if (step % 20 == 0) A = Eigen::MatrixXd::NullaryExpr(5, 12, [&] { return side(rng); });
+    A += 0.02 * Eigen::MatrixXd::NullaryExpr(5, 12, [&] { return side(rng); });
+    LinearProgram lp;
+    for (int j = 0; j < A.cols(); ++j) lp.add_variable(0, 1 + side(rng), side(rng));
+    for (int i = 0; i < A.rows(); ++i) lp.add_row(i < 2 ? 0.3 * side(rng) : -kInfinity, 0.4);
+    lp.set_block(0, 0, A);
+    const LpSolution expected = solve_lp(lp);
+    for (LpBasis* basis : {&last, &other}) {
+      const LpSolution found = solve_lp(lp, *basis);
+      ASSERT_EQ(found.status, expected.status);
+      if (found.status != LpStatus::optimal) continue;
+      EXPECT_NEAR(found.objective, expected.objective, 1e-12);
+      EXPECT_EQ(basis->variables.size(), 12U);
+      ++optimal;
+    }
+    solve_lp(small(), other);
+  }
+  EXPECT_GT(optimal, 100);
 }
 
 TEST(Lp, InfeasibleAndUnbounded) {
