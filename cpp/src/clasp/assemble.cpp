@@ -137,27 +137,23 @@ double enough(const Query& query) {
   return must_withstand ? query.options.stability.force : 0;
 }
 
-/// Runs the stability test and, if the loop escapes, that of a pinch. If the clasp must hold, a
-/// failure of both in the first sequence ends them.
+/// Runs the stability test and, if it fails, that of a pinch. If the clasp must hold, the loop that
+/// escapes in the first sequence, or a load that is too large, ends the first of them.
 void test(Query& query, int loop, Clasp& clasp) {
   const double before = query.clock.seconds();
   const Eigen::VectorXd& q = clasp.close.back();
   if (!query.tester) query.tester.emplace(query.problem);
   const Eigen::Matrix3Xd& loop_O =
       query.problem.object.loops().found[static_cast<std::size_t>(loop)].points;
-  StabilityOptions first = query.options.stability;
+  const StabilityOptions& options = query.options.stability;
   if (query.options.must_be_secure) {
-    first.sequences = 1;
-    first.force = first.torque = 0;
+    clasp.stability = query.tester->test_quickly(q, loop_O, options, enough(query));
+  } else {
+    clasp.stability = query.tester->test(q, loop_O, options);
   }
-  clasp.stability = query.tester->test(q, loop_O, first);
   if (!clasp.stability.secure) clasp.pinch = pinched(query, q);
-  if (query.options.must_be_secure && (clasp.stability.secure || clasp.pinch)) {
-    clasp.stability = query.tester->test(q, loop_O, query.options.stability, enough(query));
-    if (!clasp.stability.secure && !clasp.pinch) clasp.pinch = pinched(query, q);
-    if (clasp.pinch && clasp.stability.withstands > 0)
-      clasp.stability = query.tester->test(q, loop_O, query.options.stability);
-  }
+  if (clasp.pinch && query.options.must_be_secure)
+    clasp.stability = query.tester->test(q, loop_O, options);
   ++query.statistics.stability_tests;
   query.statistics.stability_seconds += query.clock.seconds() - before;
 }

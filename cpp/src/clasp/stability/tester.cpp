@@ -67,7 +67,8 @@ void StabilityTester::load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC
 }
 
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
-                                const StabilityOptions& options, double enough) {
+                                const StabilityOptions& options, int least_sequences,
+                                double enough) {
   kinematics_.update(q);
   const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
   const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
@@ -87,6 +88,7 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
   double farthest = 0;
   std::mt19937_64 rng(options.seed);
   for (int sequence = 0; sequence < options.sequences; ++sequence) {
+    if (result.escapes > 0 && sequence == least_sequences) break;
     walk.reset();
     double distance = distance_to_loop(loop_O, walk.p_OC());
     for (int move = 0; move < options.moves && distance <= escape; ++move) {

@@ -21,12 +21,21 @@ class StabilityTester {
  public:
   explicit StabilityTester(const Problem& problem);
 
-  /// Runs the test for a loop, 3 x n in O [m]. q and the options must be valid. Loads are
-  /// tested until one shows that the clasp withstands less than `enough` [N].
+  /// Runs the test for a loop, 3 x n in O [m]. q and the options must be valid.
   Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
-                 const StabilityOptions& options, double enough = 0);
+                 const StabilityOptions& options) {
+    return test(q, loop_O, options, options.sequences, 0);
+  }
+  /// Same, but ends with the first sequence if the loop escapes in it, or with the first load that
+  /// shows that the clasp withstands less than `enough` [N].
+  Stability test_quickly(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
+                         const StabilityOptions& options, double enough) {
+    return test(q, loop_O, options, 1, enough);
+  }
 
  private:
+  Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
+                 const StabilityOptions& options, int least_sequences, double enough);
   void load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC, const StabilityOptions& options,
             double enough, Stability& result);
 
