@@ -11,6 +11,7 @@
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/spaces.hpp"
 #include "clasp/stability/balls.hpp"
+#include "clasp/stability/tester.hpp"
 #include "clasp/stability/walk.hpp"
 #include "complaint.hpp"
 
@@ -40,6 +41,29 @@ TEST(TestStability, ClosedHandHoldsARingAndAnOpenOneDoesNot) {
     EXPECT_EQ(open.escapes, 10) << hand;
     EXPECT_LT(open.margin, 0) << hand;
   }
+}
+
+void expect_same(const Stability& a, const Stability& b) {
+  EXPECT_EQ(a.secure, b.secure);
+  EXPECT_EQ(a.escapes, b.escapes);
+  EXPECT_EQ(a.margin, b.margin);
+  EXPECT_EQ(a.withstands, b.withstands);
+  EXPECT_EQ(a.opens_first, b.opens_first);
+  EXPECT_EQ(a.checks, b.checks);
+}
+
+TEST(StabilityTester, TestsQuicklyUpToAnEscapeInTheFirstSequence) {
+  const Problem problem = ring_within("kr5_sdh");
+  const Eigen::Matrix3Xd& loop_O = problem.object.loops().found.front().points;
+  StabilityOptions options, first;
+  options.sequences = 3;
+  first.sequences = 1;
+  StabilityTester tester(problem);
+  const VectorXd closed = closed_around(problem), &open = problem.q_start;
+  expect_same(tester.test_quickly(closed, loop_O, options, 0),
+              tester.test(closed, loop_O, options));
+  expect_same(tester.test_quickly(open, loop_O, options, 0), tester.test(open, loop_O, first));
+  EXPECT_EQ(tester.test(open, loop_O, options).escapes, 3);
 }
 
 TEST(TestStability, SameSeedSameWalk) {
