@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "graspless/watch.hpp"
+
 #include "collision/shapes.hpp"
 
 namespace graspless::collision {
@@ -58,6 +60,18 @@ TEST(ClearanceTree, FindsTheLeastDistanceFromAnyHint) {
       ASSERT_EQ(tree.distance(point, 100), std::sqrt(found.squared));
     }
   }
+}
+
+TEST(ClearanceTree, IsBuiltAnewAfterACallThatWasStopped) {
+  std::mt19937 rng(3);
+  const auto triangles = random_triangles(rng, 50000);
+  const ClearanceTree tree(triangles);
+  const Vector3d point = random_vector(rng, 0.3);
+  {
+    const Watch watch([] { throw Stop{}; });
+    EXPECT_THROW(tree.distance(point, 1), Stop);
+  }
+  EXPECT_EQ(tree.distance(point, 1), std::sqrt(least_square(triangles, point)));
 }
 
 TEST(ClearanceTree, ServesThreadsFromTheFirstQueryOn) {
