@@ -17,7 +17,7 @@ from ..statistics import wilson
 from ..tables import aligned, markdown
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from pathlib import Path
 
     from ..machine import Row
@@ -143,10 +143,12 @@ def _objects(result: Row) -> list[Row]:
 
 
 def _each(result: Row) -> list[Column]:
-    return [
-        (_title(s), lambda row, key=(s["robot"], s["views"]): "; ".join(row.get(key, [])))
-        for s in result["settings"]
-    ]
+    return [(_title(s), _trials_of(s["robot"], s["views"])) for s in result["settings"]]
+
+
+def _trials_of(robot: str, views: int) -> Callable[[Row], str]:
+    """Returns the text of a cell: the trials of a mesh in one setting."""
+    return lambda row: "; ".join(row.get((robot, views), []))
 
 
 def _excluded(reasons: Mapping[str, Mapping[str, str]]) -> str:
