@@ -135,10 +135,10 @@ def _objects(result: Row) -> list[Row]:
     """Returns a row for each mesh, with its trials by setting."""
     found: dict[str, Row] = {}
     for row in result["rows"]:
-        own = found.setdefault(row["mesh"], {"name": row["mesh"]})
+        own = found.setdefault(row["mesh"], {"name": row["mesh"], "trials": {}})
         stage = row["stage"].replace("_", " ")
         shown = stage if row["strategy"] is None else f"{row['strategy']}: {stage}"
-        own.setdefault((row["robot"], row["views"]), []).append(shown)
+        own["trials"].setdefault((row["robot"], row["views"]), []).append(shown)
     return sorted(found.values(), key=lambda row: str(row["name"]))
 
 
@@ -148,7 +148,7 @@ def _each(result: Row) -> list[Column]:
 
 def _trials_of(robot: str, views: int) -> Callable[[Row], str]:
     """Returns the text of a cell: the trials of a mesh in one setting."""
-    return lambda row: "; ".join(row.get((robot, views), []))
+    return lambda row: "; ".join(row["trials"].get((robot, views), []))
 
 
 def _excluded(reasons: Mapping[str, Mapping[str, str]]) -> str:
