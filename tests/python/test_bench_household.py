@@ -101,4 +101,7 @@ def test_bad_arguments_are_refused(folder, tmp_path, capsys):
     excluded.write_text("wam_t42: {bar: 3}\n")
     assert "wam_t42: " in (said := refused(folder, "--excluded", excluded))
     assert "should have a reason for each mesh, as text" in said
+    excluded.write_text("panda: {bar: too wide}\n")
+    assert "panda: should be one of wam_t42" in refused(folder, "--excluded", excluded)
+    assert "their names should differ" in refused(folder, "--robots", "wam_t42, a/wam_t42.urdf")
     assert "--views: 3: should be 1, 2 or 1,2" in refused(folder, "--views", "3")

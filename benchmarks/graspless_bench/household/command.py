@@ -61,6 +61,15 @@ def add_parser(experiments: Any) -> None:
     parser.set_defaults(run=_run)
 
 
+def _robots(text: str) -> list[str]:
+    from .run import label_of
+
+    robots = [name.strip() for name in text.split(",")]
+    if len({label_of(robot) for robot in robots}) < len(robots):
+        raise TaskError(f"--robots: {text}: their names should differ")
+    return robots
+
+
 def _views(text: str) -> list[int]:
     if text not in ("1", "2", "1,2"):
         raise TaskError(f"--views: {text}: should be 1, 2 or 1,2")
@@ -75,8 +84,8 @@ def _run(options: argparse.Namespace) -> int:
 
     paths = chosen(options.folder, options.mesh)
     masses = read_masses(options.masses)
-    views = _views(options.views)
-    excluded = read_excluded(options.excluded, {path.stem for path in paths})
+    robots, views = _robots(options.robots), _views(options.views)
+    excluded = read_excluded(options.excluded, {path.stem for path in paths}, robots)
     if find_spec("vhacdx") is None:
         raise TaskError("bench household: needs vhacdx for convex parts: pip install vhacdx")
     log = None
@@ -86,7 +95,6 @@ def _run(options: argparse.Namespace) -> int:
         log = options.out / "household.rows"
     load = os.getloadavg()
     bar = Bar("bench household", len(paths))
-    robots = options.robots.split(",")
     rows = run(paths, robots, views, options.poses, masses, options.seed, log, bar.tell)
     bar.close()
     result = report.as_result(rows, load, excluded)

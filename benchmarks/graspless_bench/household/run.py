@@ -121,10 +121,15 @@ def read_masses(path: Path | None) -> dict[str, float]:
     return {name: float(mass) for name, mass in masses.items()}
 
 
-def read_excluded(path: Path | None, names: set[str]) -> dict[str, dict[str, str]]:
+def read_excluded(
+    path: Path | None, names: set[str], robots: Sequence[str]
+) -> dict[str, dict[str, str]]:
     """Returns the reasons of a YAML file by robot and mesh; of the meshes in `names` only."""
     should = "should have a reason for each mesh, as text"
     reasons = _by_name("--excluded", path, _are_reasons, should)
+    labels = [label_of(robot) for robot in robots]
+    if unknown := sorted(reasons.keys() - set(labels)):
+        raise TaskError(f"--excluded: {unknown[0]}: should be one of {', '.join(labels)}")
     return {
         robot: {name: some[name] for name in sorted(names & some.keys())}
         for robot, some in reasons.items()
@@ -162,7 +167,7 @@ def _logged(log: Path | None, seed: int) -> list[Row]:
     if log is None or not log.is_file():
         return []
     rows = [json.loads(line) for line in log.read_text().splitlines() if line.endswith("}")]
-    return [row for row in rows if row["seed"] == seed]
+    return [row for row in rows if row["seed"] == seed and "views" in row]
 
 
 def _write(log: Path | None, row: Row) -> None:

@@ -114,8 +114,8 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
       return {exact, exact};
     }
     if (cell->parts < 0) {
-      cell->parts = static_cast<int>(blocks_.size());
       blocks_.push_back(std::make_unique<Block>());
+      cell->parts = static_cast<int>(blocks_.size()) - 1;
     }
     within *= kParts;
     const Eigen::Vector3i part = within.cast<int>().cwiseMin(kParts - 1);

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kEqual = 1e-6;         // heights [m], tangents
 constexpr double kWeight = 9.81;        // of a kilogram [N]
-constexpr double kMeasured = 0.10;      // of angles that are measured in two ways [rad]
 constexpr double kMeasuredMass = 0.15;  // relative
 constexpr double kHangs = 0.1;          // of an object that hangs from the hand [rad]
 
@@ -74,10 +73,10 @@ class WallExamination {
 
   void check_side(const WallMeasure& wall, std::size_t side) {
     const std::string where = "contact " + std::to_string(side);
-    if (std::abs(wall.beyond[side]) > map_.cell) {
+    if (std::abs(wall.beyond[side]) > map_.cell + kEqual) {
       faults_.push_back(where + ": the wall ends " + figure(wall.beyond[side]) + " m beyond it");
     }
-    if (std::atan(wall.friction[side]) > std::atan(options_.friction) + kMeasured) {
+    if (wall.friction[side] > options_.friction + kEqual) {
       faults_.push_back(where + ": the wall slopes by a tangent of " + figure(wall.friction[side]) +
                         ", which exceeds the friction");
     }

@@ -180,9 +180,9 @@ std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& probl
   };
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_off), faces.end());
   if (faces.empty()) {
-    return refused_walls(
-        result, Status::too_flat,
-        "no wall rises " + in_mm(options.patch) + " above its contacts all along the pads");
+    return refused_walls(result, Status::too_flat,
+                         "the walls are ragged: none rises " + in_mm(options.patch) +
+                             " above its contacts, and keeps its faces, all along the pads");
   }
   faces = thin_walls(std::move(faces), options, jaw, result);
   return faces.empty() ? faces : bearing_walls(std::move(faces), problem, options, jaw, result);

@@ -44,6 +44,7 @@ class Measurement {
 
   WallMeasure run() const {
     WallMeasure wall;
+    if (!(height_ > kRounded)) return wall;  // all around is as high
     std::vector<double> u;
     std::vector<Crossing> lines;
     for (int i = 0; i < kLines; ++i) {
@@ -135,6 +136,11 @@ class Measurement {
 };
 
 }  // namespace
+
+bool fits(const WallMeasure& wall, double cell) {
+  const double most = std::max(std::abs(wall.beyond[0]), std::abs(wall.beyond[1]));
+  return wall.is_wall && most <= cell + kRounded;
+}
 
 WallMeasure measure_wall(const geometry::HeightMap& map,
                          const Eigen::Matrix<double, 3, 2>& contacts_O, double patch) {

@@ -24,6 +24,9 @@ struct WallMeasure {
   double rise = 0;
 };
 
+/// True if a wall is between the contacts, with its faces where they are, within a cell [m].
+bool fits(const WallMeasure& wall, double cell);
+
 /// Measures the wall between the contacts (3 x 2, of one height, in O) of pads that reach `patch`
 /// [m] to all sides of them.
 WallMeasure measure_wall(const geometry::HeightMap& map,

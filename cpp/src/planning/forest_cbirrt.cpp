@@ -111,25 +111,27 @@ bool ForestCBiRRT::draw(const ob::GoalSampleableRegion& region, State* state) co
 
 // Precedes Algorithm 1 with set_connect_first(). Most queries end here, before a tree has grown.
 // The cheapest pairs of the first starts are tried first. Where obstacles are in their way, any
-// other pair is as good.
+// other pair is as good, and trees find a way around. Where hardly any goal fits a start, trees
+// do not help, and more starts are drawn.
 bool ForestCBiRRT::connect_partners(const ob::PlannerTerminationCondition& ptc) {
-  constexpr int kStarts = 500;
+  constexpr int kStarts = 200, kMostStarts = 500, kFewPairs = 3;
   if (!start_region_ && start_forest_->size() == 0) return false;
   const std::vector<int> given = start_forest_->roots();
   std::vector<Pair> pairs;  // each cheaper than those before
-  int to_compare = start_region_ ? kCompared : 1;
-  for (int i = 0; i < kStarts && !ptc; ++i) {
+  int to_compare = start_region_ ? kCompared : 1, num_tried = 0, most = kMostStarts;
+  for (int i = 0; i < most && !ptc; ++i) {
     const int start = start_region_ ? add_from_region(*start_forest_)
                                     : given[static_cast<std::size_t>(i) % given.size()];
     if (start >= 0) --to_compare;
     if (const auto pair = add_partner(start, pairs.empty() ? kAnyCost : pairs.back().cost)) {
       pairs.push_back(*pair);
     }
-    if (to_compare > 0 && i + 1 < kStarts) continue;
-    for (; !pairs.empty(); pairs.pop_back()) {
+    if (to_compare > 0 && i + 1 < most) continue;
+    for (; !pairs.empty(); pairs.pop_back(), ++num_tried) {
       if (is_solved_by(pairs.back())) return true;
     }
     to_compare = 1;
+    if (num_tried >= kFewPairs) most = kStarts;
   }
   return false;
 }

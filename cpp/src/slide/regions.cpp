@@ -185,8 +185,9 @@ bool GoalRegion::try_sample(ob::State* state) const {
     return false;
   }
   const Planar contact = contact_at(*point, query_.uniform(0, 2 * kPi));
-  const auto arm =
-      press_at(query_, contact, draw_depth(query_), query_.draw_seed(), query_.draw_free_joint());
+  const double free_joint = query_.draw_free_joint();
+  const Eigen::VectorXd near = query_.draw_seed();
+  const auto arm = press_at(query_, contact, draw_depth(query_), near, free_joint);
   if (!arm) {
     query_.refuse("goal: reach");
     return false;

@@ -39,7 +39,7 @@ class PickTask(Fields):
         default=None, description="largest age of the images of the scene [s]"
     )
     mass: Positive | None = Field(default=None, description="mass, needed to tumble and push [kg]")
-    grip_force: Positive | None = Field(
+    grip_force: Annotated[float, Field(gt=0, le=1000)] | None = Field(
         default=None, description="force of each finger that pinches [N]"
     )
     best_of: Annotated[int, Field(ge=1)] = Field(

@@ -115,8 +115,8 @@ def wish_of(
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
     if mass is not None and not 0 < mass < 1e6:
         raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
-    if grip_force is not None and not 0 < grip_force < 1e6:
-        raise TaskError(f"grip_force: {grip_force!r}: should be a force in (0, 1e6) N")
+    if grip_force is not None and not 0 < grip_force <= 1000:
+        raise TaskError(f"grip_force: {grip_force!r}: should be a force in (0, 1000] N")
     if respect not in scenes.RESPECTS:
         choices = ", ".join(scenes.RESPECTS)
         raise TaskError(f"respect: {respect}: should be one of {choices}")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pinch/walls.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -9,6 +10,7 @@
 
 #include "graspless/pinch/pinch.hpp"
 
+#include "pinch/wall_measure.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::pinch {
@@ -91,6 +93,37 @@ TEST(Walls, WhatNobodySawBearsLess) {
   const auto found = walls(map, {0, 0, 0.04}, 0.016, {0.06}, 0.008);
   ASSERT_FALSE(found.empty());
   for (const Faces& wall : found) EXPECT_NEAR(wall.rise, 0.008, 1e-12);  // 0.07 is above the pads
+}
+
+/// Its inner face leans by a tangent, its outer one is upright.
+TEST(Walls, AreMeasuredAsTheyAreMade) {
+  const double height = 0.06, patch = 0.008;
+  for (const double lean : {0.0, 0.15, 0.3}) {
+    Cup cup;
+    cup.lean = lean;
+    const HeightMap map = sampled([&](const Vector2d& p) { return cup.at(p); }, 0.07);
+    const double inner = cup.radius - cup.wall - lean * (cup.height - height);
+    double inside = 0, outside = 0, rise = 0;
+    constexpr int kAngles = 40;
+    for (int k = 0; k < kAngles; ++k) {
+      const double angle = 0.1 + k * 2 * kPi / kAngles;
+      const Vector3d out(std::cos(angle), std::sin(angle), 0);
+      Eigen::Matrix<double, 3, 2> contacts;
+      contacts << inner * out, cup.radius * out;
+      contacts.row(2).setConstant(height);
+      const WallMeasure wall = measure_wall(map, contacts, patch);
+      ASSERT_TRUE(wall.is_wall);
+      EXPECT_LE(std::abs(wall.beyond[1]), kFine);
+      inside += wall.friction[0] / kAngles;
+      outside += wall.friction[1] / kAngles;
+      rise += wall.rise / kAngles;
+      contacts.row(2).setConstant(cup.height - patch / 2);
+      EXPECT_FALSE(measure_wall(map, contacts, patch).is_wall);
+    }
+    EXPECT_NEAR(inside, lean, 0.12) << lean;
+    EXPECT_LT(outside, 0.2) << lean;
+    EXPECT_NEAR(rise, std::clamp((lean - 0.1) / 0.2, 0.0, 1.0) * patch, 0.003) << lean;
+  }
 }
 
 TEST(Walls, TheMassIsTheOneThatTheFormulaGives) {

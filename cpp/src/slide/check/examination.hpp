@@ -22,7 +22,7 @@
 namespace graspless::slide {
 
 constexpr double kSame = 1e-6;        // [m, rad]
-constexpr double kRimSpacing = 2e-3;  // points on a rim are that far apart, or nearer [m]
+constexpr double kRimSpacing = 5e-4;  // points on a rim are that far apart, or nearer [m]
 constexpr double kRound = 1e-9;       // of a band's ends [m, rad]
 // Allowed movement and turn of the contact while the finger presses or lifts [m, rad]. The movement
 // may exceed a margin that the slide only just keeps by as much.

@@ -163,13 +163,12 @@ void Examination::check_pair() {
 /// [m]; negative if it does.
 double Examination::held_by_rim(const Planar& X_SO, const Eigen::Vector2d& com) const {
   constexpr int kDirections = 720;
-  constexpr double kSpacing = kRimSpacing / 4;  // [m]
   const Eigen::Matrix2Xd& rim_O = problem_.object.outline().vertices();
   Points held;
   for (Eigen::Index i = 0; i < rim_O.cols(); ++i) {
     poll();
     const Eigen::Vector2d a = rim_O.col(i), side = rim_O.col((i + 1) % rim_O.cols()) - a;
-    const int count = static_cast<int>(std::ceil(side.norm() / kSpacing));
+    const int count = static_cast<int>(std::ceil(side.norm() / kRimSpacing));
     for (int k = 0; k < count; ++k) {
       const Eigen::Vector2d p = X_SO * Eigen::Vector2d(a + side * k / count);
       if (signed_depth(problem_.support.polygon().vertices(), p) >= 0) held.push_back(p);
