@@ -73,7 +73,7 @@ class WallExamination {
 
   void check_side(const WallMeasure& wall, std::size_t side) {
     const std::string where = "contact " + std::to_string(side);
-    if (std::abs(wall.beyond[side]) > map_.cell + kEqual) {
+    if (!fits(wall, side, map_.cell)) {
       faults_.push_back(where + ": the wall ends " + figure(wall.beyond[side]) + " m beyond it");
     }
     if (wall.friction[side] > options_.friction + kEqual) {

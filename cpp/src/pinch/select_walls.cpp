@@ -176,7 +176,8 @@ std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& probl
     const WallMeasure measure = measure_wall(*problem.object.heights(), contacts_O, options.patch);
     wall.friction = std::max(measure.friction[0], measure.friction[1]);
     wall.rise = measure.rise;
-    return !measure.is_wall;
+    const double cell = problem.object.heights()->cell;
+    return !measure.is_wall || !fits(measure, 0, cell) || !fits(measure, 1, cell);
   };
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_off), faces.end());
   if (faces.empty()) {

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kRounded = 1e-6;    // heights [m]
+constexpr double kRounded = 1e-6;    // [m]
 constexpr double kSeenPart = 0.003;  // of the height of a cell, at least [m]
 constexpr int kLines = 33;           // across the wall
 constexpr int kSteps = 8;            // in a cell, along a line
@@ -137,9 +137,8 @@ class Measurement {
 
 }  // namespace
 
-bool fits(const WallMeasure& wall, double cell) {
-  const double most = std::max(std::abs(wall.beyond[0]), std::abs(wall.beyond[1]));
-  return wall.is_wall && most <= cell + kRounded;
+bool fits(const WallMeasure& wall, std::size_t side, double cell) {
+  return std::abs(wall.beyond[side]) <= cell + kRounded;
 }
 
 WallMeasure measure_wall(const geometry::HeightMap& map,

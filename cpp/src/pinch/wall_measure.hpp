@@ -24,8 +24,8 @@ struct WallMeasure {
   double rise = 0;
 };
 
-/// True if a wall is between the contacts, with its faces where they are, within a cell [m].
-bool fits(const WallMeasure& wall, double cell);
+/// True if the face at the side of a contact is where the contact is, within a cell [m].
+bool fits(const WallMeasure& wall, std::size_t side, double cell);
 
 /// Measures the wall between the contacts (3 x 2, of one height, in O) of pads that reach `patch`
 /// [m] to all sides of them.

@@ -10,6 +10,7 @@
 
 #include "graspless/pinch/pinch.hpp"
 
+#include "pinch/grasps.hpp"
 #include "pinch/wall_measure.hpp"
 #include "slide/problems.hpp"
 
@@ -343,6 +344,24 @@ TEST(RimPinch, PlansOnLeaningWallsHold) {
     }
   }
   EXPECT_GT(solved, 5);
+}
+
+/// check() refuses a wall that ends more than a cell from its contact: the search must not take it.
+TEST(RimPinch, AWallThatEndsElsewhereIsNotTaken) {
+  const Problem problem = with_cup({});
+  const Options options;
+  const Jaw jaw(problem);
+  Grasps result;
+  std::vector<Faces> faces = select_walls(problem, options, jaw, result);
+  faces = measured_walls(std::move(faces), problem, options, jaw, result);
+  ASSERT_FALSE(faces.empty()) << result.reason;
+  Faces off = faces.front();
+  const Vector2d out = (off.second - off.first).normalized();
+  off.second += 2.5 * kFine * out;
+  EXPECT_EQ(measured_walls({faces.front()}, problem, options, jaw, result).size(), 1u);
+  EXPECT_TRUE(measured_walls({off}, problem, options, jaw, result).empty());
+  EXPECT_EQ(result.status, Status::too_flat);
+  EXPECT_NE(result.reason.find("the walls are ragged"), std::string::npos) << result.reason;
 }
 
 /// The same plan, on another object.
