@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Household objects in small: boxes of our own, seen, picked up and lifted."""
 
+import itertools
 import json
 
 import numpy as np
 import pytest
 import trimesh
 
-from graspless import frames
+from graspless import frames, geometry
 from graspless.cli import main
 from graspless_bench.household import run, scenes
+from graspless_bench.household import things as bench_things
 
 
 @pytest.fixture
@@ -48,38 +50,83 @@ def test_a_bar_is_held_and_a_crate_is_refused(folder, capsys):
 
 
 def test_rows_of_an_interrupted_run_are_kept(folder, tmp_path):
-    log = tmp_path / "rows"
-    row = {"mesh": "bar", "pose": 0, "robot": "wam_t42", "views": 1, "seed": 1, "stage": "kept"}
-    log.write_text(json.dumps(row) + "\n" + '{"mesh": "cut sh')
     (bar,) = [path for path in folder.iterdir() if path.stem == "bar"]
-    assert run.run([bar], ["wam_t42"], [1], 1, {}, seed=1, log=log) == [row]
+    (query,) = run.queries([bar], ["wam_t42"], [1], 1, {}, 1, [bar])
+    log = tmp_path / "rows"
+    row = query.row | {"stage": "kept"}
+    log.write_text(json.dumps(row) + "\n" + '{"mesh": "cut sh')
+    assert run.run([query], log=log) == [row]
 
 
-def test_two_views_see_all_sides(folder):
+def test_tables_and_neighbours_are_dealt_out(folder):
+    """Six successive drops of an object see each table, alone and with neighbours."""
+    paths = sorted(folder.iterdir())
+    drops = run.queries(paths[:1], ["wam_t42"], [1], 6, {}, 1, paths)
+    assert len({query.dealt for query in drops}) == 6
+    assert {query.dealt[0] for query in drops} == set(scenes.TABLES)
+
+
+@pytest.fixture
+def things(folder):
+    return [bench_things.read(folder / f"{name}.stl", 0.3) for name in ("bar", "crate")]
+
+
+@pytest.mark.parametrize("table", scenes.TABLES)
+def test_things_stand_on_the_table_clear_of_each_other(things, table):
+    bar, crate = things
+    for seed in range(5):
+        rng = np.random.default_rng(seed)
+        given = scenes.setting(scenes.TABLES[table], bar, [bar, crate], rng)
+        ground = geometry.Polygon(given.table)
+        placed = [given.target, *given.others]
+        for item in placed:
+            assert item.points[:, 2].min() == pytest.approx(0, abs=1e-9)
+            assert min(ground.depth(p) for p in item.border) >= scenes.MARGIN
+        assert given.others
+        for a, b in itertools.combinations(placed, 2):
+            far = np.linalg.norm(a.border[:, None] - b.border[None], axis=2)
+            assert far.min() > scenes.GAP[0]
+
+
+def test_what_is_larger_than_the_table_has_no_place(things):
+    _, crate = things
+    assert (
+        scenes.setting(0.3 * scenes.TABLES["square"], crate, [], np.random.default_rng(1)) is None
+    )
+
+
+def test_what_is_dropped_rests_on_a_side(things):
+    """A box lies on one of its six sides, whatever it was dropped on."""
+    _, crate = things
+    for seed in range(5):
+        up = bench_things.dropped(crate, np.random.default_rng(seed))[2, :3]
+        assert np.abs(up).max() == pytest.approx(1, abs=1e-3)
+
+
+def test_two_views_see_all_sides(things):
     """A second camera sees the sides that the first one does not."""
-    mesh, (X, *_) = scenes.stable_poses(folder / "crate.stl", 1)
-    thing = scenes.placed(mesh, X, 0.3, np.random.default_rng(1))
-    middle = thing.points[:, 0].mean()
+    _, crate = things
+    given = scenes.setting(scenes.TABLES["square"], crate, [], np.random.default_rng(1))
+    middle, top = given.target.points[:, 0].mean(), given.target.points[:, 2].max()
     behind = []
     for views in (1, 2):
-        (found,) = scenes.seen(thing, 5, views).objects
+        (found,) = scenes.seen(given, 5, views).objects
         at = frames.transform(found.X_WO, np.asarray(found.points))
-        side = at[(at[:, 2] > 0.03) & (at[:, 2] < 0.17)]
+        side = at[(at[:, 2] > 0.03) & (at[:, 2] < top - 0.03)]
         behind.append((side[:, 0] > middle).mean())
     assert behind[0] < 0.2 < 0.4 < behind[1]
 
 
-def test_the_parts_have_the_mass_and_the_place_of_the_mesh():
+def test_the_parts_have_the_mass_and_the_place_of_the_mesh(tmp_path):
     mesh = trimesh.creation.box([0.10, 0.03, 0.05])
-    rng = np.random.default_rng(2)
-    X = trimesh.transformations.rotation_matrix(0.5, [1, 2, 3])
-    thing = scenes.placed(mesh, X, 0.3, rng)
-    corners = mesh.vertices @ thing.X_WT[:3, :3].T + thing.X_WT[:3, 3]
-    assert corners[:, 2].min() == pytest.approx(0, abs=1e-9)
-    body = scenes.truth(thing, np.eye(4))
+    mesh.export(tmp_path / "block.stl")
+    thing = bench_things.read(tmp_path / "block.stl", 0.3)
+    X_WT = trimesh.transformations.rotation_matrix(0.5, [1, 2, 3])
+    X_WT[:3, 3] = 0.5, -0.2, 0.1
+    body = scenes.Placed(thing, X_WT).body
     assert body.mass == 0.3
-    assert body.com == pytest.approx(corners.mean(axis=0), abs=1e-4)
-    R = thing.X_WT[:3, :3]
+    assert body.com == pytest.approx(X_WT[:3, 3], abs=1e-4)
+    R = X_WT[:3, :3]
     a, b, c = 0.10, 0.03, 0.05
     own = 0.3 / 12 * np.diag([b * b + c * c, a * a + c * c, a * a + b * b])
     assert body.inertia == pytest.approx(R @ own @ R.T, rel=0.02, abs=1e-6)

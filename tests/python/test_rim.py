@@ -127,7 +127,7 @@ def extent(placed, direction):
 def test_the_simulated_vessel_is_the_true_one():
     """The plan, made on what was seen, holds on the shapes themselves, with what was not seen."""
     from graspless.simulation import chain as chains
-    from graspless.simulation.slide.scene import Body
+    from graspless.simulation.slide.scene import Body, Truth
     from graspless.simulation.variation import Variation
 
     shapes = box_cup()
@@ -141,7 +141,7 @@ def test_the_simulated_vessel_is_the_true_one():
         corners = signs * np.ravel(placed.shape.size)
         parts.append(frames.transform(X_OT @ placed.X_BG, corners))
     com = frames.transform(X_OT, np.array([[0, 0, 0.035]]))[0]
-    truth = Body(parts, 0.06, com, np.diag([2e-4, 2e-4, 3e-4]))
+    truth = Truth(Body(parts, 0.06, com, np.diag([2e-4, 2e-4, 3e-4])))
     trial = chains.run(picked.plan, Variation(), truth=truth)
     assert not set(trial.failures) - {"off_target", "tipped"}, trial.failures
     assert trial.measures["kept"] == 1

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import itertools
 import re
 
 import mujoco
@@ -22,7 +23,7 @@ from graspless.simulation.slide.execution import Execution, overhang
 from graspless.simulation.slide.fingers import PAD
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.program import make_program, straight_lift
-from graspless.simulation.slide.scene import build_scene
+from graspless.simulation.slide.scene import Body, Truth, build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
 from graspless.simulation.variation import Variation
 from graspless.tasks import Task
@@ -355,6 +356,41 @@ def test_what_stands_in_the_way_is_hit(plan):
     execution.run("slide")
     assert "hit" in execution.judge.failures
     assert set(FAILURES) >= set(execution.judge.failures)
+
+
+def block(size, mass, p):
+    """A box, as a body with its middle at p."""
+    corners = np.array(size) / 2 * np.array(list(itertools.product((-1, 1), repeat=3)))
+    squares = np.square(size)
+    return Body([corners + p], mass, np.array(p), np.diag(mass / 12 * (squares.sum() - squares)))
+
+
+def true_world(plan, *others):
+    """The card of a plan as a body, and others on its table."""
+    thing = plan.task.problem.object
+    low, high = (f(np.array(thing.outline.vertices), axis=0) for f in (np.min, np.max))
+    size = [*(high - low), thing.thickness]
+    return Truth(block(size, thing.mass, [*(low + high) / 2, thing.thickness / 2]), others)
+
+
+def test_a_body_beside_the_object_can_be_knocked_over(plan):
+    """What stands on the table replaces the obstacles, and stays where nothing touches it."""
+    poses = np.array(plan.segments[2].object_poses)
+    middle, first, last = poses[len(poses) // 2, :3, 3], poses[0, :3, 3], poses[-1, :3, 3]
+    along = (last - first) / np.linalg.norm(last - first)
+    aside = np.cross(along, [0, 0, 1])
+    for off, failures in ((0.0, ["knocked"]), (0.15, [])):
+        post = block([0.02, 0.02, 0.1], 0.05, middle + off * aside + [0, 0, 0.05])
+        execution = Execution(plan, Variation(), Slide(), truth=true_world(plan, post))
+        execution.run("slide")
+        assert [name for name in execution.judge.failures if name != "off_target"] == failures
+
+
+def test_a_true_card_is_slid_and_lifted(plan):
+    execution = Execution(plan, Variation(), Slide(), truth=true_world(plan))
+    execution.run()
+    assert set(execution.judge.failures) <= {"off_target"}
+    assert execution.measures["lifted"] == 1
 
 
 def test_the_lift_is_straight_and_as_high_as_asked(plan):

@@ -24,16 +24,18 @@ def add_parser(experiments: Any) -> None:
     parser = experiments.add_parser(
         "household",
         help="objects of a folder: seen, picked up, and lifted in MuJoCo",
-        description="Lays each mesh of a folder on its largest sides on a table, renders what "
-        "noisy depth cameras see, picks it up by whichever way works, and executes the plan in "
-        "MuJoCo with the true mesh as convex parts (needs `pip install vhacdx`).",
+        description="Drops each mesh of a folder onto a table that is square, round or L-shaped, "
+        "every other time beside two others. Renders what noisy depth cameras see, picks the "
+        "object up by whichever way works, and executes the plan in MuJoCo, slides in closed loop, "
+        "with the true meshes as convex parts, and with other friction, mass and flexures (needs "
+        "`pip install vhacdx`).",
     )
     parser.add_argument("folder", type=Path, help="folder of meshes (.stl, .obj, .off, .ply) [m]")
     parser.add_argument(
         "--robots", default="wam_t42", metavar="LIST", help="robots, by comma (%(default)s)"
     )
     parser.add_argument(
-        "--poses", type=positive(int), default=2, metavar="N", help="poses of each mesh (2)"
+        "--poses", type=positive(int), default=10, metavar="N", help="drops of each mesh (10)"
     )
     parser.add_argument(
         "--views", default="1", metavar="LIST", help="numbers of cameras, 1, 2 or 1,2 (%(default)s)"
@@ -50,6 +52,9 @@ def add_parser(experiments: Any) -> None:
         "they are run, and counted apart",
     )
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the places (1)")
+    parser.add_argument(
+        "--jobs", type=positive(int), default=1, metavar="J", help="processes (%(default)s)"
+    )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
         "--out",
@@ -62,7 +67,7 @@ def add_parser(experiments: Any) -> None:
 
 
 def _robots(text: str) -> list[str]:
-    from .run import label_of
+    from .trial import label_of
 
     robots = [name.strip() for name in text.split(",")]
     if len({label_of(robot) for robot in robots}) < len(robots):
@@ -80,7 +85,7 @@ def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from ..see.command import chosen
     from . import report
-    from .run import read_excluded, read_masses, run
+    from .run import queries, read_excluded, read_masses, run
 
     paths = chosen(options.folder, options.mesh)
     masses = read_masses(options.masses)
@@ -94,8 +99,10 @@ def _run(options: argparse.Namespace) -> int:
         options.out.mkdir(parents=True, exist_ok=True)
         log = options.out / "household.rows"
     load = os.getloadavg()
-    bar = Bar("bench household", len(paths))
-    rows = run(paths, robots, views, options.poses, masses, options.seed, log, bar.tell)
+    everything = chosen(options.folder, None)
+    asked = queries(paths, robots, views, options.poses, masses, options.seed, everything)
+    bar = Bar("bench household", len(asked))
+    rows = run(asked, options.jobs, log, bar.tell)
     bar.close()
     result = report.as_result(rows, load, excluded)
     if log is not None:

@@ -24,6 +24,14 @@ if TYPE_CHECKING:
     from ..tables import Column
 
 STRATEGIES = ("pinch", "rim", "slide", "clasp")
+WHERE = (
+    ("square table", "table", "square"),
+    ("round table", "table", "round"),
+    ("L-shaped table", "table", "L"),
+    ("alone", "neighbours", 0),
+    ("one neighbour", "neighbours", 1),
+    ("two neighbours", "neighbours", 2),
+)
 
 
 def as_result(
@@ -64,6 +72,9 @@ def _setting(
         for name in STRATEGIES
         if (some := [row for row in planned if row["strategy"] == name])
     ]
+    for name, column, value in WHERE:
+        if some := [row for row in own if row[column] == value]:
+            groups.append(_group(name, some, some))
     return {
         "robot": robot,
         "views": views,
@@ -103,7 +114,7 @@ GROUPS: list[Column] = [
     ("Wilson 95 % [%]", lambda row: f"{100 * row['band'][0]:.0f} to {100 * row['band'][1]:.0f}"),
     *(
         (stage.replace("_", " "), lambda row, stage=stage: str(row["stages"].get(stage, 0)))
-        for stage in ("turned", "not_seen", "refused", "lost", "not_held")
+        for stage in ("turned", "knocked", "not_seen", "refused", "lost", "not_held")
     ),
 ]
 

@@ -1,118 +1,69 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Trials: one per object, pose, robot and number of views."""
+"""Trials of all objects, poses, robots and numbers of views, and the files that a run is given."""
 
 from __future__ import annotations
 
-import json
-import time
+import contextlib
 from itertools import product
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-import graspless
+from graspless.batches import manifest, pools
+from graspless.batches.spread import spread
 from graspless.errors import TaskError
-from graspless.simulation import chain as chains
-from graspless.simulation import simulation_kind
-from graspless.simulation.variation import Variation
 
-from . import scenes
+from .trial import Query, label_of, measure, nothing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from pathlib import Path
 
     from ..machine import Row
 
-SECONDS = 6.0  # for each pick [s]
-MADE_GOOD = {"tip_lost", "off_target", "tipped"}  # if the object is in the hand at the end
-LOST = MADE_GOOD | {"fell", "hit"}
-HEAVY = 0.2  # mass of an object that nobody gave [kg]
 
-
-def run(
+def queries(
     paths: Sequence[Path],
     robots: Sequence[str],
     views: Sequence[int],
     poses: int,
     masses: dict[str, float],
     seed: int,
+    folder: Sequence[Path],
+) -> list[Query]:
+    """Returns a trial for each object, pose, robot and number of views, in this order.
+
+    `folder` has the meshes that may be neighbours.
+    """
+    return [
+        Query(path, pose, robot, count, seed, masses, tuple(folder))
+        for path, pose, robot, count in product(paths, range(poses), robots, views)
+    ]
+
+
+def run(
+    asked: Sequence[Query],
+    jobs: int = 1,
     log: Path | None = None,
     tell: Callable[[int], object] = lambda done: None,
 ) -> list[Row]:
-    """Returns one row per object, pose, robot and number of views, in this order.
-
-    Rows of the log are not run again.
-    """
-    rows = _logged(log, seed)
-    done = {_key(row) for row in rows}
-    for i, path in enumerate(paths):
-        mesh, lying = scenes.stable_poses(path, poses)
-        for pose, X in enumerate(lying):
-            for robot, count in product(robots, views):
-                label = label_of(robot)
-                if (path.stem, pose, label, count) in done:
-                    continue
-                rng = np.random.default_rng([seed, pose, *path.stem.encode()])
-                thing = scenes.placed(mesh, X, masses.get(path.stem, HEAVY), rng)
-                head = {"mesh": path.stem, "pose": pose, "robot": label, "views": count}
-                outcome = trial(thing, robot, count, int(rng.integers(1, 2**31)))
-                rows.append(head | {"seed": seed} | outcome)
-                _write(log, rows[-1])
-        tell(i + 1)
-    settings = product(map(label_of, robots), views)
-    wanted = set(product((path.stem for path in paths), settings))
-    return [row for row in rows if (row["mesh"], (row["robot"], row["views"])) in wanted]
+    """Returns the rows of trials, made by `jobs` processes. Those of the log are not run again."""
+    keys = [query.row["key"] for query in asked]
+    known = {} if log is None else manifest.read(log, "key")
+    left = [query for query, key in zip(asked, keys, strict=True) if key not in known]
+    with contextlib.ExitStack() as stack:
+        kept = None if log is None else stack.enter_context(manifest.opened(log))
+        pool = stack.enter_context(pools.opened(jobs, None))
+        for row in spread(measure, left, pool, _died):
+            known[row["key"]] = row
+            if kept is not None:
+                kept.add(row)
+            tell(sum(key in known for key in keys))
+    return [known[key] for key in keys]
 
 
-def label_of(robot: str) -> str:
-    """Returns the name of a robot that comes with graspless, or of the URDF without its folder."""
-    return Path(robot).name.removesuffix(".urdf")
-
-
-def trial(thing: scenes.Placed, robot: str, views: int, seed: int) -> Row:
-    """Sees, picks and lifts an object; returns what became of it."""
-    began = time.perf_counter()
-    scene = scenes.seen(thing, seed, views)
-    row: Row = {"see_seconds": time.perf_counter() - began, "strategy": None}
-    found = scenes.nearest(scene, thing) if scene else None
-    if found is None:
-        return row | {"stage": "not_seen", "reason": scene.reason, "attempts": []}
-    row["thickness_off"] = float(found.thickness - thing.points[:, 2].max())
-    pick = graspless.pick(scene, found.name, robot, mass=thing.mass, seconds=SECONDS, seed=1)
-    row |= {"pick_seconds": pick.seconds, "attempts": pick.as_dict()["attempts"]}
-    if pick.plan is None:
-        return row | {"stage": "refused", "reason": pick.reason}
-    row["strategy"] = pick.strategy
-    faults = graspless.check(pick.plan)
-    if faults:
-        return row | {"stage": "wrong", "reason": faults[0]}
-    return row | _executed(thing, pick.plan)
-
-
-def _executed(thing: scenes.Placed, plan: Any) -> Row:
-    """Executes a plan with the true mesh; of a clasp, with what was seen."""
-    began = time.perf_counter()
-    first = plan.stages[0]
-    if first.kind == "clasp":
-        result = simulation_kind("clasp").run(first, Variation())
-    else:
-        body = scenes.truth(thing, first.X_WO_start)
-        result = chains.run(plan, Variation(), truth=body)
-    failures = list(result.failures)
-    serious = set(failures) - MADE_GOOD
-    if serious == {"dropped"} and result.measures.get("lifted"):
-        stage = "turned"
-    elif serious:
-        stage = "lost" if set(failures) & LOST else "not_held"
-    else:
-        stage = "held"
-    return {
-        "stage": stage,
-        "reason": ", ".join(failures),
-        "simulate_seconds": time.perf_counter() - began,
-    }
+def _died(query: Query, told: str, seconds: float) -> Row:
+    reason = f"its process died after {seconds:.0f} s: {told.strip().partition(chr(10))[0]}"
+    return nothing(query) | {"stage": "wrong", "reason": reason}
 
 
 def read_masses(path: Path | None) -> dict[str, float]:
@@ -161,20 +112,3 @@ def _by_name(
         if not is_valid(value):
             raise source.error((name,), should)
     return {str(name): value for name, value in source.data.items()}
-
-
-def _logged(log: Path | None, seed: int) -> list[Row]:
-    if log is None or not log.is_file():
-        return []
-    rows = [json.loads(line) for line in log.read_text().splitlines() if line.endswith("}")]
-    return [row for row in rows if row["seed"] == seed and "views" in row]
-
-
-def _write(log: Path | None, row: Row) -> None:
-    if log is not None:
-        with log.open("a") as file:
-            file.write(json.dumps(row) + "\n")
-
-
-def _key(row: Row) -> tuple[str, int, str, int]:
-    return row["mesh"], row["pose"], row["robot"], row["views"]

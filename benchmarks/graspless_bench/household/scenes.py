@@ -1,104 +1,172 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A mesh in a stable pose on a table before a robot, and what a depth camera sees of it."""
+"""A thing on a table before a robot, others beside it, and what depth cameras see of them."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import trimesh
+from scipy.spatial import ConvexHull
 
 from graspless import frames, geometry, perception
-from graspless.simulation.slide.scene import Body
+from graspless.simulation.slide.scene import Body, Truth
+from graspless.simulation.slide.shapes import points_along
+
+from . import things
 
 if TYPE_CHECKING:
-    from pathlib import Path
+    from collections.abc import Sequence
 
     from graspless.frames import Matrix
 
-TABLE = (0.7, 0.7, 0.04)  # [m]; its top is in z = 0 of the robot's base
-CENTER = (0.65, 0.0)  # of the table [m]
-FLOOR = -0.75  # [m]
+CENTER = (0.65, 0.0)  # of the table [m]; its top is in z = 0 of the robot's base
+SLAB = 0.04  # thickness of the table [m]
+FLOOR_POSE = frames.translation([0.65, 0.0, -0.75])
 EYES = ((-0.05, 0.0, 0.75), (1.35, 0.0, 0.75))  # of the cameras: at the base, and opposite [m]
 ROOM = 0.12  # half width of the square in which objects are placed [m]
-PARTS = 32  # convex parts of an object, at most
+MARGIN = 0.02  # between an object and the edge of the table [m]
+GAP = (0.03, 0.15)  # least distance between objects, and of neighbours at most [m]
+STEP = 0.01  # between points of a border [m]
+TRIES = 300  # of places
+_CIRCLE = np.linspace(0, 2 * math.pi, 48, endpoint=False)
+TABLES = {
+    "square": np.array([[-0.35, -0.35], [0.35, -0.35], [0.35, 0.35], [-0.35, 0.35]]),
+    "round": 0.38 * np.column_stack([np.cos(_CIRCLE), np.sin(_CIRCLE)]),
+    "L": np.array(
+        [[-0.35, -0.35], [0.35, -0.35], [0.35, 0.35], [-0.05, 0.35], [-0.05, -0.05], [-0.35, -0.05]]
+    ),
+}  # corners, counterclockwise [m]
 
 
 @dataclass(frozen=True)
 class Placed:
-    """A mesh on the table.
+    """A thing in a pose X_WT [4, 4] in the world."""
 
-    Attributes
-    ----------
-    mesh : trimesh.Trimesh
-        In its own frame T.
-    X_WT : array [4, 4]
-        Pose in the world.
-    mass : float
-        [kg].
-    """
-
-    mesh: Any
+    thing: things.Thing
     X_WT: Matrix
-    mass: float
 
     @property
     def points(self) -> Matrix:
         """Vertices [N, 3] in the world [m]."""
-        return frames.transform(self.X_WT, np.asarray(self.mesh.vertices))
+        return frames.transform(self.X_WT, np.asarray(self.thing.mesh.vertices))
+
+    @property
+    def body(self) -> Body:
+        """Its convex parts in the world."""
+        return self.thing.body.moved(self.X_WT)
+
+    @property
+    def border(self) -> Matrix:
+        """Points [N, 2] around the convex hull of its projection onto the table [m]."""
+        flat = self.points[:, :2]
+        return points_along(geometry.Polygon(flat[ConvexHull(flat).vertices]), STEP)
 
 
-def stable_poses(path: Path, count: int) -> tuple[Any, list[Matrix]]:
-    """Returns a mesh and poses [4, 4] in which it rests, those on the largest sides first.
+@dataclass(frozen=True)
+class Setting:
+    """A table, a thing on it, and others around that.
 
-    A side is what its hull's faces of one direction, within 3 degrees, have in common. The centroid
-    of the hull must be over it.
+    Attributes
+    ----------
+    table : array [N, 2]
+        Corners, counterclockwise, in the world [m].
+    target : Placed
+    others : list of Placed
     """
-    read = geometry.read_mesh(str(path))
-    mesh = trimesh.Trimesh(read.vertices, read.triangles)
-    hull = mesh.convex_hull
-    normals, areas = np.asarray(hull.face_normals), np.array(hull.area_faces)
-    is_alike = normals @ normals.T > math.cos(math.radians(3))
-    poses: list[Matrix] = []
-    while len(poses) < count and areas.any():
-        best = int(np.argmax(is_alike @ areas))
-        X = np.asarray(trimesh.geometry.align_vectors(normals[best], [0, 0, -1]))
-        faces = np.asarray(hull.faces)[is_alike[best]]
-        areas[is_alike[best]] = 0
-        base = frames.transform(X, np.asarray(hull.vertices)[np.unique(faces)])[:, :2]
-        if _is_over(base, frames.transform(X, np.asarray(hull.center_mass)[None])[0, :2]):
-            poses.append(X)
-    return mesh, poses
+
+    table: Matrix
+    target: Placed
+    others: list[Placed]
 
 
-def _is_over(base: Matrix, p: Matrix) -> bool:
-    """Returns True if a point lies in the convex hull of others, all in a plane."""
-    around = base - p
-    angles = np.sort(np.arctan2(around[:, 1], around[:, 0]))
-    gaps = np.diff(np.append(angles, angles[0] + 2 * math.pi))
-    return bool(gaps.max() < math.pi)
+def setting(
+    table: Matrix,
+    thing: things.Thing,
+    others: Sequence[things.Thing],
+    rng: np.random.Generator,
+) -> Setting | None:
+    """Lets a thing come to rest at a random place of a table, and others beside it.
+
+    Those for which there is no room are left out. Returns None if there is none for the thing.
+
+    Parameters
+    ----------
+    table : array [N, 2]
+        Corners in a frame at CENTER; it is turned by a random quarter.
+    thing : Thing
+    others : sequence of Thing
+    rng : Generator
+    """
+    turned = frames.planar(*CENTER, float(rng.integers(4)) * math.pi / 2)
+    corners = table @ turned[:2, :2].T + turned[:2, 3]
+    ground = geometry.Polygon(corners)
+    target = _placed(thing, np.array(CENTER), ROOM, ground, [], rng)
+    if target is None:
+        return None
+    around: list[Placed] = []
+    for other in others:
+        middle = target.border.mean(axis=0)
+        reach = _radius(target.border) + np.linalg.norm(other.mesh.extents) / 2 + GAP[1]
+        found = _placed(other, middle, float(reach), ground, [target, *around], rng)
+        around += [] if found is None else [found]
+    return Setting(corners, target, around)
 
 
-def placed(mesh: Any, X_lying: Matrix, mass: float, rng: np.random.Generator) -> Placed:
-    """Returns the mesh at a random place and heading on the table."""
-    turned = frames.transform(X_lying, np.asarray(mesh.vertices))
-    middle = (turned.min(axis=0) + turned.max(axis=0)) / 2
-    x, y = np.add(CENTER, rng.uniform(-ROOM, ROOM, size=2))
-    lowest = frames.translation([-middle[0], -middle[1], -turned[:, 2].min()])
-    X_WT = frames.planar(x, y, rng.uniform(0, 2 * math.pi)) @ lowest @ X_lying
-    return Placed(mesh, np.asarray(X_WT), mass)
+def _placed(
+    thing: things.Thing,
+    center: Matrix,
+    room: float,
+    ground: geometry.Polygon,
+    others: Sequence[Placed],
+    rng: np.random.Generator,
+) -> Placed | None:
+    """Returns a thing at rest within a square [m] of a table, clear of the others."""
+    yaw = rng.uniform(0, 2 * math.pi)
+    turned = Placed(thing, frames.planar(0.0, 0.0, yaw) @ things.dropped(thing, rng))
+    border = turned.border
+    middle = (border.min(axis=0) + border.max(axis=0)) / 2
+    taken = np.concatenate([other.border for other in others]) if others else None
+    for _ in range(TRIES):
+        shift = center + rng.uniform(-room, room, size=2) - middle
+        own = border + shift
+        if min(ground.depth(p) for p in own) < MARGIN or not _is_clear(own, taken):
+            continue
+        return Placed(thing, frames.translation([*shift, 0.0]) @ turned.X_WT)
+    return None
 
 
-def seen(thing: Placed, seed: int, views: int) -> perception.Scene:
-    """Returns what noisy depth cameras see of the table: the first `views` of EYES."""
+def _is_clear(border: Matrix, taken: Matrix | None) -> bool:
+    """Returns True if the convex hull of points is farther than GAP from others, all [m]."""
+    if taken is None:
+        return True
+    far = np.linalg.norm(border[:, None] - taken[None], axis=2).min()
+    hull = geometry.Polygon(border[ConvexHull(border).vertices])
+    return bool(far > GAP[0] and not any(hull.contains(p) for p in taken))
+
+
+def _radius(border: Matrix) -> float:
+    return float(np.linalg.norm(border - border.mean(axis=0), axis=1).max())
+
+
+def seen(given: Setting, seed: int, views: int) -> perception.Scene:
+    """Returns what noisy depth cameras see of a table: the first `views` of EYES."""
     bodies = [
-        _box(TABLE, (*CENTER, -TABLE[2] / 2)),
-        _box((6, 6, 0.02), (0.65, 0.0, FLOOR)),
-        perception.Body(
-            [geometry.PlacedShape(geometry.Mesh(thing.mesh.vertices, thing.mesh.faces))], thing.X_WT
+        perception.Body([geometry.PlacedShape(geometry.Box([6, 6, 0.02]))], FLOOR_POSE),
+        perception.Body([_slab(part) for part in geometry.Polygon(given.table).convex_parts()]),
+        *(
+            perception.Body(
+                [
+                    geometry.PlacedShape(
+                        geometry.Mesh(item.thing.mesh.vertices, item.thing.mesh.faces)
+                    )
+                ],
+                item.X_WT,
+            )
+            for item in (given.target, *given.others)
         ),
     ]
     frames_seen = [
@@ -109,10 +177,17 @@ def seen(thing: Placed, seed: int, views: int) -> perception.Scene:
     return perception.perceive(depth, frames_seen[0].K, X_WC)
 
 
-def nearest(scene: perception.Scene, thing: Placed) -> perception.Object | None:
-    """Returns the object of a scene that is where the mesh is, if there is one."""
-    points = thing.points
-    low, high = points.min(axis=0)[:2], points.max(axis=0)[:2]
+def _slab(part: geometry.Polygon) -> geometry.PlacedShape:
+    """Returns the prism of a convex part of a table, under z = 0."""
+    corners = np.array(part.vertices)
+    levels = [np.column_stack([corners, np.full(len(corners), z)]) for z in (-SLAB, 0.0)]
+    hull = trimesh.Trimesh(np.concatenate(levels)).convex_hull
+    return geometry.PlacedShape(geometry.Mesh(hull.vertices, hull.faces))
+
+
+def nearest(scene: perception.Scene, target: Placed) -> perception.Object | None:
+    """Returns the object of a scene that is where a thing is, if there is one."""
+    low, high = target.points.min(axis=0)[:2], target.points.max(axis=0)[:2]
     for found in sorted(scene.objects, key=lambda item: -len(item.points)):
         ring = np.asarray(found.outline) @ found.X_WO[:2, :2].T + found.X_WO[:2, 3]
         middle = (ring.min(axis=0) + ring.max(axis=0)) / 2
@@ -121,26 +196,7 @@ def nearest(scene: perception.Scene, thing: Placed) -> perception.Object | None:
     return None
 
 
-def truth(thing: Placed, X_WO: Matrix) -> Body:
-    """Returns the mesh as convex parts in the frame O in which a plan has put its object."""
-    X_OT = np.linalg.inv(X_WO) @ thing.X_WT
-    parts = trimesh.decomposition.convex_decomposition(
-        thing.mesh, maxConvexHulls=PARTS, resolution=60_000
-    )
-    hulls = [frames.transform(X_OT, np.asarray(part["vertices"])) for part in parts]
-    solid = [trimesh.Trimesh(**part).convex_hull for part in parts]
-    volumes = np.array([part.volume for part in solid])
-    shares = thing.mass * volumes / volumes.sum()
-    com = sum(m * part.center_mass for m, part in zip(shares, solid, strict=True)) / thing.mass
-    inertia = np.zeros((3, 3))
-    for m, part in zip(shares, solid, strict=True):
-        off = part.center_mass - com
-        own = part.moment_inertia * m / max(part.volume, 1e-12)
-        inertia += own + m * (off @ off * np.eye(3) - np.outer(off, off))
-    R = X_OT[:3, :3]
-    return Body(hulls, thing.mass, frames.transform(X_OT, com[None])[0], R @ inertia @ R.T)
-
-
-def _box(size: Any, center: Any) -> perception.Body:
-    shape = geometry.PlacedShape(geometry.Box(np.array(size)))
-    return perception.Body([shape], frames.translation(center))
+def truth(given: Setting, X_WO: Matrix) -> Truth:
+    """Returns the things, the target in the frame O in which a plan has put its object."""
+    target = given.target.body.moved(np.asarray(np.linalg.inv(X_WO)))
+    return Truth(target, [item.body for item in given.others])

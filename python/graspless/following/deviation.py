@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 IN_CONTACT = ("slide",)  # the hand moves the object
 _PAUSE = 0.05  # between segments [s]
+_IN_VAIN = 0.8  # of the largest turn
 ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object
 
 
@@ -68,15 +69,44 @@ class Deviation:
         reaches = self.course.name == "reach"
         return self.error + np.append(self.away, 0.0) if reaches else self.error
 
-    def is_large(self, settings: Settings) -> bool:
-        """Returns True if the shift that is needed is more than what is done in place."""
+    def bounded_step(self, settings: Settings) -> Matrix:
+        """Returns the step [3], in contact only as far as the shift of the hand may go.
+
+        The finger would leave its place on an object that does not follow it.
+        """
+        if self.course.name not in IN_CONTACT:
+            return self.step
+        shift = plane.difference(self.course.place(), self.commanded)
+        asked = shift + self.step
+        asked[:2] *= min(1.0, settings.shift / max(float(np.hypot(*asked[:2])), 1e-12))
+        asked[2] = np.clip(asked[2], -settings.shift_angle, settings.shift_angle)
+        bounded: Matrix = asked - shift
+        return bounded
+
+    def is_large(self, settings: Settings, times: float = 1.0) -> bool:
+        """Returns True if the deviation is more than `times` what is corrected in place.
+
+        It is that of the object from its path in contact, else the shift of the hand that is
+        needed.
+        """
         planned = self.course.place()
         needed = plane.turned(self.motion, self.pivot, self.error)
         off = plane.difference(planned, plane.compose(needed, planned))
         most, turned = settings.correct, settings.correct_angle
         if self.course.name in ("reach", "grasp"):
             most, turned = settings.grasp_correct, settings.grasp_correct_angle
-        return bool(np.hypot(*off[:2]) > most or abs(off[2]) > turned)
+        if self.course.name in IN_CONTACT:
+            off = self.error
+            turned = settings.grasp_correct_angle if self._turns_in_vain(settings) else turned
+        return bool(np.hypot(*off[:2]) > times * most or abs(off[2]) > times * turned)
+
+    def _turns_in_vain(self, settings: Settings) -> bool:
+        """Returns True if the hand has turned as far as it may, and the object did not follow.
+
+        It would not follow a new plan either. The grasp allows for its turn.
+        """
+        turn = plane.difference(self.course.place(), self.commanded)[2]
+        return bool(np.sign(self.error[2]) * turn > _IN_VAIN * settings.shift_angle)
 
     def has_settled(self, still: float, is_blind: bool, settings: Settings) -> bool:
         """Returns True if the next segment may begin, `still` seconds after the end of this one.

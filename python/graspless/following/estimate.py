@@ -47,6 +47,9 @@ class Noise:
         Error of the object's pose and of the support's height in the task [m, rad, m].
     slip, slip_angle : float
         Motion of the object relative to the fingertip after it has slid 0.1 m [m, rad].
+    slip_turn : float
+        Turn relative to the fingertip after this has turned by 0.1 rad: large objects do not follow
+        a small pad [rad].
     """
 
     position: float = 0.002
@@ -57,6 +60,7 @@ class Noise:
     height: float = 0.003
     slip: float = 0.003
     slip_angle: float = 0.0524
+    slip_turn: float = 0.05
 
 
 class Estimate:
@@ -103,12 +107,14 @@ class Estimate:
     def carry(self, t: float, before: Matrix, after: Matrix) -> None:
         """Moves the object with the fingertip by `after before^-1`, places [3], at time t [s]."""
         step = plane.difference(before, after)
-        way = float(np.hypot(*step[:2])) + 0.05 * abs(float(step[2]))  # of a point 5 cm away, too
+        turn = abs(float(step[2]))
+        way = float(np.hypot(*step[:2])) + 0.05 * turn  # of a point 5 cm away, too
         if way > 0:
             motion = plane.compose(after, plane.inverse(before))
             self._moved = plane.compose(motion, self._moved)
             slipped = np.square([self.noise.slip, self.noise.slip, self.noise.slip_angle])
             self.covariance[range(3), range(3)] += slipped * way / 0.1
+            self.covariance[_YAW, _YAW] += self.noise.slip_turn**2 * turn / 0.1
         self._times.append(t)
         self._motions.append(self._moved)
         while len(self._times) > 2 and self._times[1] < t - self.memory:

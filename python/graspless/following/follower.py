@@ -35,6 +35,7 @@ _LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
 _FALLEN = 5  # successive poses off the support after which the object has fallen
 _PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
 _NO_STEP = np.zeros(3), 0.0
+_HOPELESS = 2.0  # times what is corrected in place: where a slide does not go on without new plan
 _ELSEWHERE = "the object is not where the plan has it"
 
 
@@ -244,14 +245,15 @@ class Follower:
             rise = (off if abs(off) > 2 * spread else 0.0) - self._correction.height
         is_new = name in _PLANNED_ANEW and self._camera.used
         if not (is_new and deviation.is_large(self.settings)):
-            return deviation.step, rise
+            return deviation.bounded_step(self.settings), rise
         if self._replanner.is_searching or self._t - self._planned > self.settings.between:
             self._planned = self._t
             if name in IN_CONTACT:
                 self._resume()
             else:
                 self._restart = _ELSEWHERE
-        return np.zeros(3), rise
+        goes_on = name in IN_CONTACT and not deviation.is_large(self.settings, _HOPELESS)
+        return deviation.bounded_step(self.settings) if goes_on else np.zeros(3), rise
 
     @property
     def is_done(self) -> bool:
@@ -289,7 +291,8 @@ class Follower:
             return  # it goes on in the next update
         self._is_braking = False
         if plan is None:
-            self._restart = fault
+            is_hopeless = at_rest or self._deviation.is_large(self.settings, _HOPELESS)
+            self._restart, self._reason = fault if is_hopeless else "", fault
         elif not (at_rest or goes_on(plan.segments[0], self._motion.velocity)):
             self._is_braking = True
         else:

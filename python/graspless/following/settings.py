@@ -28,6 +28,8 @@ class Settings:
     correct, correct_angle : float
         Deviations of the object up to which the path of the hand is shifted in place [m, rad].
         Beyond them the slide is planned anew.
+    shift, shift_angle : float
+        Largest shift of the hand's path while it slides the object [m, rad].
     grasp_correct, grasp_correct_angle : float
         The same, of the object on which the hand closes [m, rad].
     stand_off : float
@@ -76,6 +78,8 @@ class Settings:
     look_seconds: float = 2.0
     correct: float = 0.006
     correct_angle: float = 0.105
+    shift: float = 0.02
+    shift_angle: float = 0.25
     grasp_correct: float = 0.012
     grasp_correct_angle: float = 0.21
     stand_off: float = 0.006

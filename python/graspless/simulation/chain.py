@@ -35,10 +35,8 @@ if TYPE_CHECKING:
     from ..chain import Plan
     from ..frames import Matrix
     from .results import Recording, Running
-    from .slide.scene import Body
+    from .slide.scene import Truth
     from .variation import Variation
-
-_STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
 
 OPEN, RETREAT, REST = "open", "retreat", "rest"
 SPREAD = SLIDE_SPREAD
@@ -51,7 +49,6 @@ MEASURES = {
     **moved.MEASURES,
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 if the hand still held the object at the end as it had grasped it",
-    "lifted": "1 if the object was in the hand during the hold, at rest and clear of all else",
     "carried": "distance that the hand moved the object, from squeeze to hold [m]",
     "carry_error": "difference between that motion of the object and the planned one [m]",
     "place_error": "distance of the object from its place, at the end [m]",
@@ -65,11 +62,11 @@ def run(
     *,
     record: bool = False,
     settings: Slide | None = None,
-    truth: Body | None = None,
+    truth: Truth | None = None,
 ) -> Trial:
     """Executes a solved plan of several stages; `settings` are for tests.
 
-    `truth` is simulated in place of the object that the plan knows.
+    `truth` is simulated in place of the object and the obstacles that the plan knows.
     """
     require_simulated(plan.task)
     start = time.perf_counter()
@@ -90,7 +87,7 @@ def _executed(
     variation: Variation,
     record: bool,
     settings: Slide | None,
-    truth: Body | None,
+    truth: Truth | None,
 ) -> Trial:
     """Executes a slide or a pinch, and the carries after it."""
     if len(stages) == 1:
@@ -159,7 +156,7 @@ class _Carried(Execution):
         stages: Sequence[Any],
         variation: Variation,
         settings: Slide,
-        truth: Body | None = None,
+        truth: Truth | None = None,
     ) -> None:
         first, *carries = stages
 
@@ -178,7 +175,7 @@ class _Carried(Execution):
             truth,
             standing=None if places is None else places.on,
         )
-        self.measures = {"kept": 0.0, "lifted": 0.0}
+        self.measures["kept"] = 0.0
         self._until = HOLD if places is None else REST
         begin: Matrix = carries[0].segments[0].object_poses[0]
         self._place: Matrix = last.segments[-1].object_poses[-1]
@@ -225,11 +222,6 @@ class _Carried(Execution):
             "carry_error": error,
             "creep": creep,
         }
-        if phase == RAISE:
-            self._raised = self.judge.pose(self.data)
-        elif self.judge.holds_clear(self.data):
-            turned = float(np.abs(self.judge.pose(self.data) - self._raised)[:3].max())
-            self.measures["lifted"] = float(turned <= _STILL)
         if "not_grasped" in self.judge.failures:
             return
         if not self.judge.holds(self.data) or max(creep, error) > self.settings.kept:

@@ -208,5 +208,7 @@ class Slide:
     tipped: float = 0.175  # tilt of an object that is about to fall, 10 degrees [rad]
     fell: float = 0.02  # drop of the object that counts as a fall [m]
     lost_seconds: float = 0.1  # without contact while it slides [s]
+    knocked: tuple[float, float] = (0.02, 0.35)  # by so much a body beside the object may move, or
+    # tilt: a choice [m, rad]
     kept_height: float = 0.09  # required height; hands and arms yield a little [m]
     kept: float = 0.02  # tolerated motion of a held object in the hand [m]

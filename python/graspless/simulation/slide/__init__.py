@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from ...slide import Plan
     from ..variation import Variation
+    from .scene import Truth
 
 MEASURES = {
     "position_error": "position error of the object after the slide [m]",
@@ -30,6 +31,7 @@ MEASURES = {
     "lift_height": "height of the object above its start at the end of the lift [m]",
     "lift_reach": "height to which the arm can lift straight up, up to the height requested [m]",
     "creep": "distance that the object moved in the hand during lift and hold [m]",
+    "lifted": "1 if the object was in the hand during the hold, at rest and clear of all else",
 }
 
 SPREAD = SLIDE_SPREAD
@@ -79,12 +81,22 @@ def running(execution: Execution) -> Running:
     return Running(execution.scene.model, execution.data, execution.object_pose, steps())
 
 
-def follow(plan: Plan, variation: Variation, seed: Sequence[int], *, record: bool = False) -> Trial:
-    """Executes a solved plan in closed loop; `seed` is that of the camera."""
+def follow(
+    plan: Plan,
+    variation: Variation,
+    seed: Sequence[int],
+    *,
+    record: bool = False,
+    truth: Truth | None = None,
+) -> Trial:
+    """Executes a solved plan in closed loop; `seed` is that of the camera.
+
+    `truth` is simulated in place of the object and the obstacles that the plan knows.
+    """
     from .closed_loop import FollowedExecution
 
     start = time.perf_counter()
-    return _trial(FollowedExecution(plan, variation, Slide(), seed), record, start)
+    return _trial(FollowedExecution(plan, variation, Slide(), seed, truth), record, start)
 
 
 def _trial(execution: Execution, record: bool, start: float) -> Trial:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from ..settings import Slide
     from ..variation import Variation
     from .program import Senses
+    from .scene import Truth
 
 STOPPED = "stop"  # phase of a follower that has given up
 _STOP_SECONDS = 0.5  # after which the trial ends [s]
@@ -167,7 +168,12 @@ class FollowedExecution(Execution):
     """Execution in closed loop. A contact that was lost is no failure if it is found again."""
 
     def __init__(
-        self, plan: Plan, variation: Variation, settings: Slide, seed: Sequence[int]
+        self,
+        plan: Plan,
+        variation: Variation,
+        settings: Slide,
+        seed: Sequence[int],
+        truth: Truth | None = None,
     ) -> None:
         camera = Camera(CameraModel(), seed)
 
@@ -175,7 +181,7 @@ class FollowedExecution(Execution):
             self.followed = Followed(plan, camera, timestep, settings)
             return self.followed
 
-        super().__init__(plan, variation, settings, control=control)
+        super().__init__(plan, variation, settings, control=control, truth=truth)
 
     def run(self, until: str = HOLD) -> None:
         """Runs to the end of a phase, or until the object has fallen or the follower stopped."""

@@ -28,8 +28,9 @@ if TYPE_CHECKING:
     from ..variation import Variation
     from .fingers import Bits
     from .program import Command, Controller
-    from .scene import Body
+    from .scene import Truth
 
+_STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
 _LOOK = 0.01  # between observations of the judge [s]
 _RECORD = 50.0  # moments a second
 _NEVER = -1.0  # a contact margin that disables contact [m]
@@ -40,7 +41,8 @@ class Execution:
     """A running model and its observations.
 
     `control` makes the controller of a time step; by default the fixed program of the plan. `truth`
-    is simulated in place of the object of the plan; `standing` is the obstacle on which it is put.
+    is simulated in place of the object and the obstacles of the plan; `standing` is the obstacle on
+    which the object is put.
     """
 
     def __init__(
@@ -50,7 +52,7 @@ class Execution:
         settings: Slide,
         obstacles: Sequence[Any] | None = None,
         control: Callable[[float], Controller] | None = None,
-        truth: Body | None = None,
+        truth: Truth | None = None,
         standing: str | None = None,
     ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
@@ -64,14 +66,8 @@ class Execution:
         else:
             self.controller = control(self.timestep)
         self.every = max(1, round(_LOOK / self.timestep))
-        self.judge = Judge(
-            self.scene,
-            self.every * self.timestep,
-            settings.tipped,
-            settings.fell,
-            settings.lost_seconds,
-        )
-        self.measures: dict[str, float] = {}
+        self.judge = Judge(self.scene, self.every * self.timestep, settings)
+        self.measures: dict[str, float] = {"lifted": 0.0}
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
         self._slid_after = ("lift", "reach") if yields else ("slide", "lift")
@@ -169,6 +165,7 @@ class Execution:
                 self.judge.note("not_grasped")
         elif phase in (RAISE, HOLD):
             self._measure_lift(phase)
+            self._measure_rest(phase)
 
     def _measure_slide(self) -> None:
         X_WO = self._slid = self.judge.pose(self.data)
@@ -217,6 +214,13 @@ class Execution:
         R_WH = body.xmat.reshape(3, 3)
         p_HO: Matrix = R_WH.T @ (self.judge.pose(self.data)[:3, 3] - body.xpos)
         return p_HO
+
+    def _measure_rest(self, phase: str) -> None:
+        X_WO = self.judge.pose(self.data)
+        if phase == RAISE:
+            self._raised = X_WO
+        elif self.judge.holds_clear(self.data):
+            self.measures["lifted"] = float(np.abs(X_WO - self._raised)[:3].max() <= _STILL)
 
     def _measure_lift(self, phase: str) -> None:
         lifted = float(self.data.xpos[self.scene.model.body("object").id][2]) - self._low

@@ -12,10 +12,11 @@ import numpy as np
 
 from ... import frames
 from .fingers import OTHER, PAD, SLIDING
-from .scene import EDGE, FOOT, OBJECT, TABLE
+from .scene import EDGE, FOOT, NEIGHBOUR, OBJECT, OBSTACLE, TABLE
 
 if TYPE_CHECKING:
     from ...frames import Matrix
+    from ..settings import Slide
     from .scene import Scene
 
 FAILURES = {
@@ -25,6 +26,7 @@ FAILURES = {
     "fell": "the object fell off the table",
     "hit": "two bodies touched that must not",
     "not_grasped": "the hand closed without grasping the object",
+    "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
     "dropped": "the object fell out of the hand during lift or hold",
     "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
 }
@@ -37,9 +39,7 @@ class Judge:
 
     scene: Scene
     interval: float  # between looks [s]
-    tipped: float  # [rad]
-    fell: float  # [m]
-    lost_seconds: float
+    settings: Slide
     failures: list[str] = field(default_factory=list)
     forces: list[float] = field(default_factory=list)  # of the tip while it slides [N]
     touched: tuple[str, str] | None = None  # what hit what
@@ -50,7 +50,7 @@ class Judge:
     def __post_init__(self) -> None:
         model = self.scene.model
         self._kind = np.zeros(model.ngeom, dtype=int)  # 0: the arm and the hand
-        order = (OBJECT, TABLE, "obstacle", FOOT, EDGE, PAD, SLIDING, OTHER)
+        order = (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD, SLIDING, OTHER, NEIGHBOUR)
         code = {what: i for i, what in enumerate(order, start=1)}
         for what in order:
             self._kind[self.scene.groups[what]] = code[what]
@@ -61,10 +61,13 @@ class Judge:
         self._allowed = np.zeros((len(order) + 1,) * 2, dtype=bool)
         for a, b in allowed:
             self._allowed[code[a], code[b]] = self._allowed[code[b], code[a]] = True
+        self._allowed[code[NEIGHBOUR], :] = self._allowed[:, code[NEIGHBOUR]] = True
         self._pad, self._object = code[PAD], code[OBJECT]
         self._fingers = code[SLIDING], code[OTHER]
         self._body = model.body(OBJECT).id
-        self.lowest = self.scene.X_WO[2, 3] - self.fell
+        self._others = sorted(set(model.geom_bodyid[self.scene.groups[NEIGHBOUR]]))
+        self._stood = model.body_pos[self._others].copy()
+        self.lowest = self.scene.X_WO[2, 3] - self.settings.fell
 
     def look(self, data: Any, phase: str) -> None:
         """Records the failures of the current state."""
@@ -73,7 +76,8 @@ class Judge:
             self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
         if phase == "slide":
             self._watch_tip(data)
-        if phase in _BEFORE_GRASP and not self.tilt(data) <= self.tipped:
+        self._watch_others(data)
+        if phase in _BEFORE_GRASP and not self.tilt(data) <= self.settings.tipped:
             self.note("tipped")
         if not data.xpos[self._body][2] >= self.lowest:
             self._has_fallen = True
@@ -146,8 +150,15 @@ class Judge:
             force += float(of_contact[0])
         return force
 
+    def _watch_others(self, data: Any) -> None:
+        moved = np.linalg.norm(data.xpos[self._others] - self._stood, axis=1)
+        upright = data.xmat[self._others].reshape(-1, 3, 3)[:, 2, 2]
+        far, tilt = self.settings.knocked
+        if (moved > far).any() or (upright < np.cos(tilt)).any():
+            self.note("knocked")
+
     def _watch_tip(self, data: Any) -> None:
         self.forces.append(self.tip_force(data))
         self._lost = 0.0 if self.forces[-1] > 0 else self._lost + self.interval
-        if self._lost > self.lost_seconds:
+        if self._lost > self.settings.lost_seconds:
             self.note("tip_lost")

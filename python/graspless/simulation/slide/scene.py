@@ -32,40 +32,66 @@ if TYPE_CHECKING:
     from ...slide import Plan
     from ..variation import Variation
 
-OBJECT, TABLE, OBSTACLE, FOOT, EDGE = "object", "table", "obstacle", "foot", "edge"
+OBJECT, TABLE, OBSTACLE, NEIGHBOUR = "object", "table", "obstacle", "neighbour"
+FOOT, EDGE = "foot", "edge"
 COLUMN_STEP = 5e-4  # by which columns are higher than heights at most: a finger presses on them [m]
 
 # Collision bits. Feet, edge and pad touch in explicit pairs with their own friction.
-_ROBOT, _TABLE, _OBSTACLE, _OBJECT, _FINGER, _GRASP = 1, 2, 4, 8, 16, 32
+_ROBOT, _TABLE, _OBSTACLE, _OBJECT, _FINGER, _GRASP, _NEIGHBOUR = 1, 2, 4, 8, 16, 32, 64
 FINGER_SLIDES = Bits(_FINGER, _ROBOT)
 FINGER_GRASPS = Bits(_FINGER | _GRASP, _ROBOT)
 _BITS = {
     TABLE: Bits(_TABLE, _ROBOT | _GRASP),
     OBSTACLE: Bits(_OBSTACLE, _ROBOT | _FINGER),
     OBJECT: Bits(_OBJECT, _ROBOT | _OBSTACLE | _GRASP),
+    NEIGHBOUR: Bits(_NEIGHBOUR, _ROBOT | _FINGER | _OBJECT | _NEIGHBOUR),
 }
 
 
 @dataclass(frozen=True)
 class Body:
-    """Body that is simulated in place of the object that the plan knows.
+    """A body of convex parts, in a frame of its own or in the world.
 
     Attributes
     ----------
     parts : list of array [N, 3]
-        Points whose convex hulls are its parts, in O [m].
+        Points whose convex hulls are its parts [m].
     mass : float
         [kg].
     com : array [3]
-        Centre of mass in O [m].
+        Centre of mass [m].
     inertia : array [3, 3]
-        About the centre of mass, in the axes of O [kg m^2].
+        About the centre of mass, in the axes of the frame [kg m^2].
     """
 
     parts: list[Matrix]
     mass: float
     com: Matrix
     inertia: Matrix
+
+    def moved(self, X_AB: Matrix) -> Body:
+        """Returns the body, given in B, in A."""
+        R = X_AB[:3, :3]
+        parts = [frames.transform(X_AB, points) for points in self.parts]
+        com = frames.transform(X_AB, self.com[None])[0]
+        return Body(parts, self.mass, com, R @ self.inertia @ R.T)
+
+
+@dataclass(frozen=True)
+class Truth:
+    """World that is simulated in place of the one that the plan knows; the support stays.
+
+    Attributes
+    ----------
+    object : Body
+        In O.
+    others : sequence of Body
+        Bodies that stand around the object, in W. They can be pushed and knocked over, and are in
+        place of the obstacles of the task.
+    """
+
+    object: Body
+    others: Sequence[Body] = ()
 
 
 @dataclass(frozen=True)
@@ -82,13 +108,13 @@ def build_scene(
     variation: Variation,
     settings: Slide | None = None,
     obstacles: Sequence[Any] | None = None,
-    truth: Body | None = None,
+    truth: Truth | None = None,
     standing: str | None = None,
 ) -> Scene:
     """Makes the varied model of the task of a plan.
 
-    `obstacles` replace those of the task, and `truth` its object, which may touch the obstacle
-    `standing` as it touches the table.
+    `obstacles` replace those of the task, and `truth` its object and them. The object may touch the
+    obstacle `standing` as it touches the table.
     """
     settings = settings or Slide()
     problem = plan.task.problem
@@ -103,11 +129,12 @@ def build_scene(
     _add_table(spec, plan, variation.table, settings)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         what = TABLE if obstacle.name == standing else OBSTACLE
-        _add_obstacle(spec, obstacle, f"{what} {i} {obstacle.name}", what)
+        if truth is None or what == TABLE:
+            _add_obstacle(spec, obstacle, f"{what} {i} {obstacle.name}", what)
     if truth is None:
         _add_object(spec, problem.object, X_WO, variation, settings)
     else:
-        _add_body(spec, truth, X_WO, variation)
+        _add_truth(spec, truth, X_WO, variation)
     _add_pairs(spec, problem, settings, variation)
     for geom in spec.geoms:
         if geom.priority == 1:
@@ -191,13 +218,23 @@ def _stretched(placed: Any, factor: float) -> geometry.PlacedShape:
     return geometry.PlacedShape(geometry.Box(scale * placed.shape.size), frames.translation(p_OG))
 
 
-def _add_body(spec: Any, truth: Body, X_WO: Matrix, variation: Variation) -> None:
-    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
-    com = truth.com + np.array([variation.com_x, variation.com_y, 0.0])
-    give_inertia(body, truth.mass * variation.mass, com, truth.inertia * variation.mass)
-    body.add_freejoint(name=OBJECT)
-    for i, points in enumerate(truth.parts):
-        _mark(add_hull(spec, body, points, {"name": f"{OBJECT}{i}"}), OBJECT)
+def _add_truth(spec: Any, truth: Truth, X_WO: Matrix, variation: Variation) -> None:
+    com = truth.object.com + np.array([variation.com_x, variation.com_y, 0.0])
+    mass, inertia = truth.object.mass * variation.mass, truth.object.inertia * variation.mass
+    _add_body(spec, Body(truth.object.parts, mass, com, inertia), X_WO, OBJECT, OBJECT)
+    up = frames.translation([0.0, 0.0, variation.table])
+    for i, other in enumerate(truth.others):
+        X_WB = up @ frames.translation(other.com)
+        own = other.moved(frames.translation(-other.com))
+        _add_body(spec, own, X_WB, f"{NEIGHBOUR} {i}", NEIGHBOUR)
+
+
+def _add_body(spec: Any, given: Body, X_WB: Matrix, name: str, what: str) -> None:
+    body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
+    give_inertia(body, given.mass, given.com, given.inertia)
+    body.add_freejoint(name=name)
+    for i, points in enumerate(given.parts):
+        _mark(add_hull(spec, body, points, {"name": f"{name} {i}"}), what)
 
 
 def _add_foot(body: Any, name: str, place: list[float], settings: Slide) -> None:
@@ -216,6 +253,7 @@ def _add_pairs(spec: Any, problem: Any, settings: Slide, variation: Variation) -
     names = [geom.name for geom in spec.geoms]
     of = {what: [n for n in names if n.startswith(what)] for what in (FOOT, EDGE, PAD, TABLE)}
     parts = [n for n in names if n.startswith(OBJECT)]
+    others = [n for n in names if n.startswith(NEIGHBOUR)]
     table = {
         "friction": _coulomb(problem.support.friction * variation.support_friction),
         "solref": [settings.table_solref, 1.0],
@@ -232,6 +270,7 @@ def _add_pairs(spec: Any, problem: Any, settings: Slide, variation: Variation) -
         (of[PAD], parts, tip),
         (of[PAD], of[TABLE], tip),
         ([] if of[FOOT] else parts, of[TABLE], table),
+        (others, of[TABLE], table),
     ):
         for a in one:
             for b in other:
@@ -248,7 +287,7 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
     bodies = [model.body(model.geom_bodyid[i]).name for i in range(model.ngeom)]
     groups = {
         what: np.array([i for i, name in enumerate(names) if name.startswith(what)], dtype=int)
-        for what in (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD)
+        for what in (OBJECT, TABLE, OBSTACLE, NEIGHBOUR, FOOT, EDGE, PAD)
     }
     others = set(hand.fingers) - set(hand.sliding_finger)
     for what, links in ((SLIDING, {SLIDING, *hand.sliding_finger}), (OTHER, {OTHER, *others})):
@@ -257,4 +296,4 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
     return groups
 
 
-__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Body", "Scene", "build_scene"]
+__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Body", "Scene", "Truth", "build_scene"]
