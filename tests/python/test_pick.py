@@ -395,6 +395,25 @@ def test_the_robot_that_reaches_it_picks_it_up(scene, names):
         assert np.array_equal(one.positions, other.positions)
 
 
+def test_a_search_that_ran_out_of_its_share_goes_on_with_another_seed(scene, names, monkeypatch):
+    """Others are not asked again, and nothing is tried after a plan."""
+    asked = []
+
+    def attempt_plan(attempt, wish, target, opening, seed, seconds):
+        asked.append((attempt.strategy, seed))
+        attempt.status = "not_connected"
+        attempt.seconds += seconds if attempt.strategy == "slide" else 0.0
+        return plan if len(asked) == 6 else None
+
+    plan = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"]).plan
+    monkeypatch.setattr(picking, "attempt_plan", attempt_plan)
+    strategies = ["pinch", "slide", "clasp"]
+    found = graspless.pick(scene, names["card"], "wam_t42", strategies=strategies, seed=4)
+    assert found.plan is plan
+    again = [("slide", seed) for seed in (5, 6, 7)]
+    assert asked == [("pinch", 4), ("slide", 4), ("clasp", 4), *again]
+
+
 def test_the_best_of_some_may_be_of_another_robot(scene, names):
     robots = ["wam_t42", "kr5_t42"]
     best = graspless.pick(scene, names["bar"], robots, strategies=["pinch"], best_of=2)

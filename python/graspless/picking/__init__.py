@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,7 @@ from ..report import least_seconds
 from . import place as places
 from .moving import MOVING
 from .result import NOT_TRIED, REFUSED, STALE, Attempt, Pick
-from .strategies import STRATEGIES, require_strategies
+from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
 
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
     from ..perception import Scene
     from ..tasks.scenes import Respect
     from .wish import Wish
+
+
+_RAN_OUT = 0.9  # of its share of the time: a search that took more had not ended
 
 
 def pick(
@@ -137,21 +141,32 @@ def _search(
     budget: planning.Budget,
     began: float,
 ) -> None:
-    """Tries the strategies until there are `best_of` plans, and keeps the shortest one."""
+    """Tries the strategies until there are `best_of` plans, and keeps the shortest one.
+
+    While there is none, those whose searches ran out of their time go on with other seeds.
+    """
     plans: list[tuple[Plan, str]] = []
-    for k in range(best_of):
-        for i, attempt in enumerate(found.attempts):
+    asked = found.attempts
+    for k in itertools.count():
+        unfinished: list[Attempt] = []
+        for i, attempt in enumerate(asked):
             left = budget.seconds - (time.monotonic() - began)
             if attempt.status == REFUSED or left <= 0 or len(plans) == best_of:
                 continue
             same = (other for other in found.attempts if other.robot == attempt.robot)
             opening = next((a.opening for a in same if a.opening is not None), None)
-            share = left / _waiting(found.attempts, i)
+            share, spent = left / _waiting(asked, i), attempt.seconds
             seed = (budget.seed + k) % 2**64
             wish = wishes[attempt.robot]
             plan = attempt_plan(attempt, wish, target, opening, seed, share)
             if plan is not None:
                 plans.append((plan, attempt.robot))
+            elif attempt.seconds - spent >= _RAN_OUT * share:
+                unfinished.append(attempt)
+        if k + 1 >= best_of:
+            asked = [] if plans else unfinished
+        if not asked or budget.seconds - (time.monotonic() - began) < LEAST_SECONDS:
+            break
     if plans:
         found.plan, found.robot = min(plans, key=lambda one: duration(one[0]))
 

@@ -87,6 +87,7 @@ def follow(
     seed: Sequence[int],
     *,
     record: bool = False,
+    settings: Slide | None = None,
     truth: Truth | None = None,
 ) -> Trial:
     """Executes a solved plan in closed loop; `seed` is that of the camera.
@@ -96,7 +97,9 @@ def follow(
     from .closed_loop import FollowedExecution
 
     start = time.perf_counter()
-    return _trial(FollowedExecution(plan, variation, Slide(), seed, truth), record, start)
+    return _trial(
+        FollowedExecution(plan, variation, settings or Slide(), seed, truth), record, start
+    )
 
 
 def _trial(execution: Execution, record: bool, start: float) -> Trial:

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 OBJECT, TABLE, OBSTACLE, NEIGHBOUR = "object", "table", "obstacle", "neighbour"
-FOOT, EDGE = "foot", "edge"
+FOOT, EDGE, PALM = "foot", "edge", "palm"
 COLUMN_STEP = 5e-4  # by which columns are higher than heights at most: a finger presses on them [m]
 
 # Collision bits. Feet, edge and pad touch in explicit pairs with their own friction.
@@ -282,7 +282,10 @@ def _coulomb(friction: float) -> list[float]:
 
 
 def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
-    """Returns the indices of geoms by role. All links of a finger belong to it."""
+    """Returns the indices of geoms by role.
+
+    All links of a finger belong to it. The palm is the link that carries the fingers.
+    """
     names = [model.geom(i).name for i in range(model.ngeom)]
     bodies = [model.body(model.geom_bodyid[i]).name for i in range(model.ngeom)]
     groups = {
@@ -290,6 +293,10 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
         for what in (OBJECT, TABLE, OBSTACLE, NEIGHBOUR, FOOT, EDGE, PAD)
     }
     others = set(hand.fingers) - set(hand.sliding_finger)
+    fingers = {*hand.fingers, SLIDING, OTHER}
+    parents = {model.body(model.body(name).parentid[0]).name for name in hand.fingers}
+    palm = [i for i, body in enumerate(bodies) if body in parents - fingers]
+    groups[PALM] = np.array(palm, dtype=int)
     for what, links in ((SLIDING, {SLIDING, *hand.sliding_finger}), (OTHER, {OTHER, *others})):
         own = [i for i, body in enumerate(bodies) if body in links and model.geom_contype[i]]
         groups[what] = np.array(own, dtype=int)
