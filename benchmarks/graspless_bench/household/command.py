@@ -18,6 +18,8 @@ from ..arguments import check_writable, positive
 if TYPE_CHECKING:
     import argparse
 
+FILMS = 10  # at most
+
 
 def add_parser(experiments: Any) -> None:
     """Adds `household` to the experiments."""
@@ -60,8 +62,14 @@ def add_parser(experiments: Any) -> None:
         "--out",
         type=Path,
         metavar="DIR",
-        help="write household.json and household.md there; an interrupted run goes on from "
-        "household.rows",
+        help="write household.json, household.md and household.png there; an interrupted run goes "
+        "on from household.rows",
+    )
+    parser.add_argument(
+        "--films",
+        type=Path,
+        metavar="DIR",
+        help="write replays of up to ten trials there that were executed and failed",
     )
     parser.set_defaults(run=_run)
 
@@ -84,7 +92,7 @@ def _views(text: str) -> list[int]:
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from ..see.command import chosen
-    from . import report
+    from . import pictures, report
     from .run import queries, read_excluded, read_masses, run
 
     paths = chosen(options.folder, options.mesh)
@@ -93,6 +101,9 @@ def _run(options: argparse.Namespace) -> int:
     excluded = read_excluded(options.excluded, {path.stem for path in paths}, robots)
     if find_spec("vhacdx") is None:
         raise TaskError("bench household: needs vhacdx for convex parts: pip install vhacdx")
+    if options.films is not None:
+        check_writable(options.films)
+        options.films.mkdir(parents=True, exist_ok=True)
     log = None
     if options.out is not None:
         check_writable(options.out)
@@ -107,6 +118,9 @@ def _run(options: argparse.Namespace) -> int:
     result = report.as_result(rows, load, excluded)
     if log is not None:
         report.write(result, options.out)
+        pictures.draw(rows, asked, options.out / "household.png")
         log.unlink(missing_ok=True)
+    if options.films is not None:
+        pictures.film(rows, asked, options.films, FILMS)
     print(json.dumps(result) if options.json else report.as_text(result))
     return NOT_FOUND if result["complaints"] else FOUND

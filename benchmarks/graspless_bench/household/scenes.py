@@ -21,6 +21,8 @@ from . import things
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from numpy.typing import ArrayLike
+
     from graspless.frames import Matrix
 
 CENTER = (0.65, 0.0)  # of the table [m]; its top is in z = 0 of the robot's base
@@ -154,6 +156,19 @@ def _radius(border: Matrix) -> float:
 
 def seen(given: Setting, seed: int, views: int) -> perception.Scene:
     """Returns what noisy depth cameras see of a table: the first `views` of EYES."""
+    looked = [rendered(given, eye, (*CENTER, 0.0), seed + i) for i, eye in enumerate(EYES[:views])]
+    depth, X_WC = ([getattr(frame, name) for frame in looked] for name in ("depth", "X_WC"))
+    return perception.perceive(depth, looked[0].K, X_WC)
+
+
+def rendered(
+    given: Setting,
+    eye: ArrayLike,
+    at: ArrayLike,
+    seed: int = 1,
+    noise: perception.Noise | None = None,
+) -> perception.Frame:
+    """Returns what a depth camera sees that looks from one point [3] at another [m]."""
     bodies = [
         perception.Body([geometry.PlacedShape(geometry.Box([6, 6, 0.02]))], FLOOR_POSE),
         perception.Body([_slab(part) for part in geometry.Polygon(given.table).convex_parts()]),
@@ -169,12 +184,7 @@ def seen(given: Setting, seed: int, views: int) -> perception.Scene:
             for item in (given.target, *given.others)
         ),
     ]
-    frames_seen = [
-        perception.render(bodies, perception.look_at(eye, [*CENTER, 0.0]), seed=seed + i)
-        for i, eye in enumerate(EYES[:views])
-    ]
-    depth, X_WC = ([getattr(f, name) for f in frames_seen] for name in ("depth", "X_WC"))
-    return perception.perceive(depth, frames_seen[0].K, X_WC)
+    return perception.render(bodies, perception.look_at(eye, at), noise=noise, seed=seed)
 
 
 def _slab(part: geometry.Polygon) -> geometry.PlacedShape:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import graspless
+from graspless import view
 from graspless.simulation import chain as chains
 from graspless.simulation import simulation_kind
 from graspless.simulation.settings import Slide, Spread
@@ -76,6 +77,10 @@ class Query:
         """Table, and number of neighbours."""
         return DEALT[(self.pose + sum(self.path.stem.encode())) % len(DEALT)]
 
+    def random(self) -> np.random.Generator:
+        """Returns the source of all that is drawn."""
+        return np.random.default_rng([self.seed, self.pose, *self.path.stem.encode()])
+
     def setting(self, rng: np.random.Generator) -> scenes.Setting | None:
         """Returns the table with the things on it, the same for each robot and number of views."""
         table, count = self.dealt
@@ -98,18 +103,24 @@ def nothing(query: Query) -> Row:
     return {**query.row, "neighbours": 0, "strategy": None, "attempts": []}
 
 
-def measure(query: Query) -> Row:
-    """Sees, picks and lifts an object; returns what became of it."""
-    rng = np.random.default_rng([query.seed, query.pose, *query.path.stem.encode()])
+def measure(query: Query, film: Path | None = None) -> Row:
+    """Sees, picks and lifts an object; returns what became of it, and may write a replay."""
+    rng = query.random()
     given = query.setting(rng)
     row = nothing(query)
     if given is None:
         return row | {"stage": "not_seen", "reason": "larger than the table"}
     row["neighbours"] = len(given.others)
-    return row | trial(given, query.robot, query.views, rng)
+    return row | trial(given, query.robot, query.views, rng, film)
 
 
-def trial(given: scenes.Setting, robot: str, views: int, rng: np.random.Generator) -> Row:
+def trial(
+    given: scenes.Setting,
+    robot: str,
+    views: int,
+    rng: np.random.Generator,
+    film: Path | None = None,
+) -> Row:
     """Sees, picks and lifts the thing of a setting; returns what became of it."""
     seed = int(rng.integers(1, 2**31))
     began = time.perf_counter()
@@ -128,25 +139,30 @@ def trial(given: scenes.Setting, robot: str, views: int, rng: np.random.Generato
     faults = graspless.check(pick.plan)
     if faults:
         return row | {"stage": "wrong", "reason": faults[0]}
-    return row | _executed(given, pick.plan, seed, rng)
+    return row | _executed(given, pick.plan, seed, rng, film)
 
 
-def _executed(given: scenes.Setting, plan: Any, seed: int, rng: np.random.Generator) -> Row:
+def _executed(
+    given: scenes.Setting, plan: Any, seed: int, rng: np.random.Generator, film: Path | None
+) -> Row:
     """Executes a plan with the true meshes; of a clasp, with what was seen.
 
     A slide is executed in closed loop, and its lift is the straight one of the simulation.
     """
     began = time.perf_counter()
     first = plan.stages[0]
-    unknown = draw(rng, UNKNOWN)
+    unknown, record = draw(rng, UNKNOWN), film is not None
     if first.kind == "clasp":
-        result = simulation_kind("clasp").run(first, Variation())
+        result = simulation_kind("clasp").run(first, Variation(), record=record)
     elif first.kind == "slide":
         body = scenes.truth(given, first.X_WO_start)
-        result = follow(first, unknown, [seed], settings=JUDGED, truth=body)
+        result = follow(first, unknown, [seed], record=record, settings=JUDGED, truth=body)
     else:
         body = scenes.truth(given, first.X_WO_start)
-        result = chains.run(plan, unknown, truth=body)
+        result = chains.run(plan, unknown, record=record, truth=body)
+    if film is not None:
+        shown = first if first.kind in ("clasp", "slide") else plan
+        view.write_html(shown, film, recording=result.recording)
     failures = list(result.failures)
     return {
         "stage": _stage(set(failures), bool(result.measures.get("lifted"))),
