@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the node hears: frames, images, clouds and joints, good and bad; and picks from them."""
 
+import json
 from array import array
 
 import numpy as np
@@ -287,6 +288,16 @@ def test_says_why_nothing_was_picked(camera, image):
     assert "moon" in result.motion.reason
     goal.header.frame_id, goal.point.x = "world", float("nan")
     assert "finite" in pick(camera, *image, at=goal).motion.reason
+
+
+def test_the_mass_and_the_force_of_the_hand_are_part_of_the_goal(camera, image):
+    result = pick(camera, *image, mass=0.35, grip_force=12.5)
+    assert result.motion.status == "solved", result.motion.reason
+    given = json.loads(result.motion.plan)["task"]["stages"][0]
+    assert (given["object"]["mass"], given["options"]["grip_force"]) == (0.35, 12.5)
+    result = pick(camera, *image, mass=-0.3)
+    assert result.motion.status == "refused"
+    assert "mass: -0.3: should be at least 0" in result.motion.reason
 
 
 def test_refuses_robots_that_nobody_knows(camera, image):

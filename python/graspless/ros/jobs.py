@@ -62,7 +62,7 @@ class PickJob:
         Point of the object in the world [m].
     robot : dict
         Field `robot` of a task.
-    strategies, respect, lift, seed, seconds
+    strategies, respect, lift, mass, grip_force, seed, seconds
         As in `graspless.pick`.
     limits, squeeze
         As in TaskJob.
@@ -78,6 +78,8 @@ class PickJob:
     strategies: tuple[str, ...] = ("pinch", "rim", "slide", "clasp")
     respect: str = "objects"
     lift: float = 0.1
+    mass: float | None = None
+    grip_force: float | None = None
     seed: int = 1
     seconds: float = 10.0
     limits: dict[str, Any] = field(default_factory=dict)

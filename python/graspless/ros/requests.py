@@ -69,7 +69,7 @@ class Requests:
     def pick_job(self, goal: Goal) -> PickJob:
         """Returns the job of a goal of PickObject, with an image that is newer than the goal."""
         asked, s = goal.request, self._settings
-        for name in ("lift", "seconds"):
+        for name in ("lift", "mass", "grip_force", "seconds"):
             if not np.isfinite(getattr(asked, name)) or getattr(asked, name) < 0:
                 raise RefusedError(f"{name}: {getattr(asked, name)}: should be at least 0")
         robot = self._robot(asked.robot or s.robot)
@@ -92,6 +92,8 @@ class Requests:
             strategies=tuple(asked.strategies) or STRATEGIES,
             respect=asked.respect or "objects",
             lift=asked.lift or 0.1,
+            mass=asked.mass or None,
+            grip_force=asked.grip_force or None,
             seed=asked.seed or 1,
             seconds=asked.seconds or 10.0,
             limits=s.limits | {"rate": s.trajectory_rate},

@@ -127,6 +127,8 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
             job.robot,
             strategies=job.strategies,
             lift=job.lift,
+            mass=job.mass,
+            grip_force=job.grip_force,
             respect=job.respect,  # type: ignore[arg-type]  # it is validated there
             seconds=job.seconds,
             seed=job.seed,
