@@ -127,7 +127,7 @@ def extent(placed, direction):
 def test_the_simulated_vessel_is_the_true_one():
     """The plan, made on what was seen, holds on the shapes themselves, with what was not seen."""
     from graspless.simulation import chain as chains
-    from graspless.simulation.slide.scene import Body, Truth
+    from graspless.simulation.slide.truth import Body, Truth
     from graspless.simulation.variation import Variation
 
     shapes = box_cup()

@@ -23,8 +23,9 @@ from graspless.simulation.slide.execution import Execution, overhang
 from graspless.simulation.slide.fingers import PAD
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.program import make_program, straight_lift
-from graspless.simulation.slide.scene import Body, Truth, build_scene
+from graspless.simulation.slide.scene import build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
+from graspless.simulation.slide.truth import Body, Truth
 from graspless.simulation.variation import Variation
 from graspless.tasks import Task
 

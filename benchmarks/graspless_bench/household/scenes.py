@@ -13,8 +13,8 @@ import trimesh
 from scipy.spatial import ConvexHull
 
 from graspless import frames, geometry, perception
-from graspless.simulation.slide.scene import Body, Truth
 from graspless.simulation.slide.shapes import points_along
+from graspless.simulation.slide.truth import Body, Truth
 
 from . import things
 

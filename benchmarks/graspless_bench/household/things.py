@@ -14,7 +14,7 @@ import trimesh
 
 from graspless import frames, geometry
 from graspless.simulation.shapes import add_hull, give_inertia
-from graspless.simulation.slide.scene import Body
+from graspless.simulation.slide.truth import Body
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from ..chain import Plan
     from ..frames import Matrix
     from .results import Recording, Running
-    from .slide.scene import Truth
+    from .slide.truth import Truth
     from .variation import Variation
 
 OPEN, RETREAT, REST = "open", "retreat", "rest"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from ...slide import Plan
     from ..variation import Variation
-    from .scene import Truth
+    from .truth import Truth
 
 MEASURES = {
     "position_error": "position error of the object after the slide [m]",

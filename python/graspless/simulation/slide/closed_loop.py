@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ..settings import Slide
     from ..variation import Variation
     from .program import Senses
-    from .scene import Truth
+    from .truth import Truth
 
 STOPPED = "stop"  # phase of a follower that has given up
 _STOP_SECONDS = 0.5  # after which the trial ends [s]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
     from .fingers import Bits
     from .program import Command, Controller
-    from .scene import Truth
+    from .truth import Truth
 
 _STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
 _LOOK = 0.01  # between observations of the judge [s]

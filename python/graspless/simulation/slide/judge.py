@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import frames
 from .fingers import OTHER, PAD, SLIDING
-from .scene import EDGE, FOOT, NEIGHBOUR, OBJECT, OBSTACLE, PALM, TABLE
+from .scene import EDGE, FOOT, HAND, NEIGHBOUR, OBJECT, OBSTACLE, TABLE
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -24,7 +24,7 @@ FAILURES = {
     "off_target": "the object was off its planned pose at the end of the slide",
     "tipped": "the object tilted over the table's edge",
     "fell": "the object fell off the table",
-    "hit": "two bodies touched that must not; a palm may touch what its hand grasps",
+    "hit": "two bodies touched that must not; any part of a hand may touch what it grasps",
     "not_grasped": "the hand closed without grasping the object",
     "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
     "dropped": "the object fell out of the hand during lift or hold",
@@ -50,7 +50,7 @@ class Judge:
     def __post_init__(self) -> None:
         model = self.scene.model
         self._kind = np.zeros(model.ngeom, dtype=int)  # 0: the arm and the hand
-        order = (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD, SLIDING, OTHER, NEIGHBOUR, PALM)
+        order = (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD, SLIDING, OTHER, NEIGHBOUR, HAND)
         code = {what: i for i, what in enumerate(order, start=1)}
         for what in order:
             self._kind[self.scene.groups[what]] = code[what]
@@ -63,7 +63,7 @@ class Judge:
             self._allowed[code[a], code[b]] = self._allowed[code[b], code[a]] = True
         self._allowed[code[NEIGHBOUR], :] = self._allowed[:, code[NEIGHBOUR]] = True
         self._pad, self._object = code[PAD], code[OBJECT]
-        self._fingers, self._palm = (code[SLIDING], code[OTHER]), code[PALM]
+        self._fingers, self._rest = (code[SLIDING], code[OTHER]), code[HAND]
         self._body = model.body(OBJECT).id
         self._others = sorted(set(model.geom_bodyid[self.scene.groups[NEIGHBOUR]]))
         self._stood = model.body_pos[self._others].copy()
@@ -73,7 +73,7 @@ class Judge:
         """Records the failures of the current state."""
         a, b = self._kinds(data)
         grasps = phase not in _BEFORE_GRASP or phase == "grasp"
-        self._allowed[self._palm, self._object] = self._allowed[self._object, self._palm] = grasps
+        self._allowed[self._rest, self._object] = self._allowed[self._object, self._rest] = grasps
         if len(a) and not self._allowed[a, b].all():
             self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
         if phase == "slide":
@@ -121,13 +121,13 @@ class Judge:
         """Returns True if both fingers touch the object, and nothing but the hand does."""
         a, b = self._kinds(data)
         other = np.where(a == self._object, b, np.where(b == self._object, a, self._fingers[0]))
-        return self.holds(data) and bool(np.isin(other, (*self._fingers, self._palm)).all())
+        return self.holds(data) and bool(np.isin(other, (*self._fingers, self._rest)).all())
 
     def is_touched(self, data: Any) -> bool:
         """Returns True if a finger or another part of the robot touches the object."""
         a, b = self._kinds(data)
         other = np.where(a == self._object, b, np.where(b == self._object, a, -1))
-        return bool(np.isin(other, (0, *self._fingers, self._palm)).any())
+        return bool(np.isin(other, (0, *self._fingers, self._rest)).any())
 
     def _kinds(self, data: Any) -> tuple[Any, Any]:
         geoms = data.contact.geom

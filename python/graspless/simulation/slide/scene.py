@@ -23,6 +23,7 @@ from ..settings import Slide, Solver
 from ..shapes import add_hull, add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
+from .truth import Body, Truth
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
 
 OBJECT, TABLE, OBSTACLE, NEIGHBOUR = "object", "table", "obstacle", "neighbour"
-FOOT, EDGE, PALM = "foot", "edge", "palm"
+FOOT, EDGE, HAND = "foot", "edge", "hand"
 COLUMN_STEP = 5e-4  # by which columns are higher than heights at most: a finger presses on them [m]
 
 # Collision bits. Feet, edge and pad touch in explicit pairs with their own friction.
@@ -46,52 +47,6 @@ _BITS = {
     OBJECT: Bits(_OBJECT, _ROBOT | _OBSTACLE | _GRASP),
     NEIGHBOUR: Bits(_NEIGHBOUR, _ROBOT | _FINGER | _OBJECT | _NEIGHBOUR),
 }
-
-
-@dataclass(frozen=True)
-class Body:
-    """A body of convex parts, in a frame of its own or in the world.
-
-    Attributes
-    ----------
-    parts : list of array [N, 3]
-        Points whose convex hulls are its parts [m].
-    mass : float
-        [kg].
-    com : array [3]
-        Centre of mass [m].
-    inertia : array [3, 3]
-        About the centre of mass, in the axes of the frame [kg m^2].
-    """
-
-    parts: list[Matrix]
-    mass: float
-    com: Matrix
-    inertia: Matrix
-
-    def moved(self, X_AB: Matrix) -> Body:
-        """Returns the body, given in B, in A."""
-        R = X_AB[:3, :3]
-        parts = [frames.transform(X_AB, points) for points in self.parts]
-        com = frames.transform(X_AB, self.com[None])[0]
-        return Body(parts, self.mass, com, R @ self.inertia @ R.T)
-
-
-@dataclass(frozen=True)
-class Truth:
-    """World that is simulated in place of the one that the plan knows; the support stays.
-
-    Attributes
-    ----------
-    object : Body
-        In O.
-    others : sequence of Body
-        Bodies that stand around the object, in W. They can be pushed and knocked over, and are in
-        place of the obstacles of the task.
-    """
-
-    object: Body
-    others: Sequence[Body] = ()
 
 
 @dataclass(frozen=True)
@@ -284,7 +239,7 @@ def _coulomb(friction: float) -> list[float]:
 def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
     """Returns the indices of geoms by role.
 
-    All links of a finger belong to it. The palm is the link that carries the fingers.
+    All links of a finger belong to it. The rest of the hand is the palm and what else it carries.
     """
     names = [model.geom(i).name for i in range(model.ngeom)]
     bodies = [model.body(model.geom_bodyid[i]).name for i in range(model.ngeom)]
@@ -293,14 +248,27 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
         for what in (OBJECT, TABLE, OBSTACLE, NEIGHBOUR, FOOT, EDGE, PAD)
     }
     others = set(hand.fingers) - set(hand.sliding_finger)
-    fingers = {*hand.fingers, SLIDING, OTHER}
-    parents = {model.body(model.body(name).parentid[0]).name for name in hand.fingers}
-    palm = [i for i, body in enumerate(bodies) if body in parents - fingers]
-    groups[PALM] = np.array(palm, dtype=int)
+    rest = _links_of_hand(model, hand) - {*hand.fingers, SLIDING, OTHER}
+    groups[HAND] = np.array([i for i, body in enumerate(bodies) if body in rest], dtype=int)
     for what, links in ((SLIDING, {SLIDING, *hand.sliding_finger}), (OTHER, {OTHER, *others})):
         own = [i for i, body in enumerate(bodies) if body in links and model.geom_contype[i]]
         groups[what] = np.array(own, dtype=int)
     return groups
 
 
-__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Body", "Scene", "Truth", "build_scene"]
+def _links_of_hand(model: Any, hand: slide.Hand) -> set[str]:
+    """Returns the nearest link that carries all fingers, and all links that it carries."""
+    above = [_chain(model, model.body(name).id) for name in hand.fingers]
+    palm = next(i for i in above[0] if all(i in other for other in above))
+    return {model.body(i).name for i in range(model.nbody) if palm in _chain(model, i)}
+
+
+def _chain(model: Any, body: int) -> list[int]:
+    """Returns a body and those that carry it, up to the world."""
+    found = [body]
+    while found[-1] != 0:
+        found.append(int(model.body_parentid[found[-1]]))
+    return found
+
+
+__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Scene", "build_scene"]
