@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import itertools
 import re
 
@@ -385,6 +386,20 @@ def test_a_body_beside_the_object_can_be_knocked_over(plan):
         execution = Execution(plan, Variation(), Slide(), truth=true_world(plan, post))
         execution.run("slide")
         assert [name for name in execution.judge.failures if name != "off_target"] == failures
+
+
+def test_a_palm_that_touches_the_object_before_the_grasp_is_told(plan):
+    """A part of the true object is where the palm comes when the finger presses."""
+    problem, slid = plan.task.problem, plan.segments[2]
+    X_WP = np.array(problem.robot.pose(problem.robot.frame("hand_base"), slid.positions[0]))
+    X_OP = np.linalg.inv(slid.object_poses[0]) @ X_WP
+    truth = true_world(plan)
+    part = block([0.01, 0.01, 0.01], 0.1, X_OP[:3, 3]).parts
+    body = dataclasses.replace(truth.object, parts=[*truth.object.parts, *part])
+    execution = Execution(plan, Variation(), Slide(), truth=Truth(body))
+    execution.run("press")
+    assert "touched" in execution.judge.failures
+    assert "hand_base" in execution.judge.touched
 
 
 def test_a_true_card_is_slid_and_lifted(plan):

@@ -26,7 +26,12 @@ if TYPE_CHECKING:
     from ..machine import Row
 
 SECONDS = 6.0  # for each pick [s]
-MADE_GOOD = {"tip_lost", "off_target", "tipped"}  # if the object is in the hand at the end
+MADE_GOOD = {
+    "tip_lost",
+    "off_target",
+    "tipped",
+    "touched",
+}  # if the object is in the hand at the end
 LOST = MADE_GOOD | {"fell", "hit", "stopped"}
 HEAVY = 0.2  # mass of an object that nobody gave [kg]
 NEIGHBOURS = 2  # in every other trial

@@ -15,6 +15,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "collision/prepared.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::collision {
@@ -134,12 +135,14 @@ CollisionShape make(const geometry::Convex& convex) {
   return make_convex(geometry::convex_hull(convex.vertices), false);
 }
 
-CollisionShape make(const geometry::Mesh& mesh) {
+CollisionShape make_mesh(const geometry::Mesh& mesh) {
   if (!spans_volume(mesh)) return make_surface(mesh, mesh.vertices);
   const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
   if (geometry::is_convex(mesh, hull)) return make_convex(hull, true);
   return make_surface(mesh, hull.vertices);
 }
+
+CollisionShape make(const geometry::Mesh& mesh) { return prepared(mesh, make_mesh); }
 
 }  // namespace
 

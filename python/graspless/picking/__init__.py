@@ -155,7 +155,8 @@ def _search(
                 continue
             same = (other for other in found.attempts if other.robot == attempt.robot)
             opening = next((a.opening for a in same if a.opening is not None), None)
-            share, spent = left / _waiting(asked, i), attempt.seconds
+            share = left / (_waiting(asked, i) + len(unfinished))
+            spent = attempt.seconds
             seed = (budget.seed + k) % 2**64
             wish = wishes[attempt.robot]
             plan = attempt_plan(attempt, wish, target, opening, seed, share)

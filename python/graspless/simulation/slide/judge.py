@@ -24,7 +24,9 @@ FAILURES = {
     "off_target": "the object was off its planned pose at the end of the slide",
     "tipped": "the object tilted over the table's edge",
     "fell": "the object fell off the table",
-    "hit": "two bodies touched that must not; any part of a hand may touch what it grasps",
+    "hit": "two bodies touched that must not",
+    "touched": "the palm, or another part of the hand but its fingers, touched the object before "
+    "the hand was there to grasp it",
     "not_grasped": "the hand closed without grasping the object",
     "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
     "dropped": "the object fell out of the hand during lift or hold",
@@ -74,8 +76,9 @@ class Judge:
         a, b = self._kinds(data)
         grasps = phase not in _BEFORE_GRASP or phase == "grasp"
         self._allowed[self._rest, self._object] = self._allowed[self._object, self._rest] = grasps
-        if len(a) and not self._allowed[a, b].all():
-            self._note_hit(data, int(np.flatnonzero(~self._allowed[a, b])[0]))
+        for index in np.flatnonzero(~self._allowed[a, b]):
+            by_hand = {int(a[index]), int(b[index])} == {self._rest, self._object}
+            self._note_contact(data, int(index), "touched" if by_hand else "hit")
         if phase == "slide":
             self._watch_tip(data)
         self._watch_others(data)
@@ -134,8 +137,8 @@ class Judge:
         touching = data.contact.dist < 0
         return self._kind[geoms[touching, 0]], self._kind[geoms[touching, 1]]
 
-    def _note_hit(self, data: Any, index: int) -> None:
-        self.note("hit")
+    def _note_contact(self, data: Any, index: int, failure: str) -> None:
+        self.note(failure)
         if self.touched is None:
             geoms = data.contact.geom[data.contact.dist < 0][index]
             model = self.scene.model

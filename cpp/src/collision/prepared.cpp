@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision/prepared.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace graspless::collision {
+namespace {
+
+constexpr Eigen::Index kMost = 50'000;  // triangles that are kept; they take about 1 kB each
+
+/// Mixes the bytes of a matrix into a hash.
+template <class Matrix>
+std::uint64_t mixed(std::uint64_t hash, const Matrix& matrix) {
+  const auto* bytes = reinterpret_cast<const char*>(matrix.data());
+  const std::size_t size = static_cast<std::size_t>(matrix.size()) * sizeof(*matrix.data());
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i + sizeof word <= size; i += sizeof word) {
+    std::memcpy(&word, bytes + i, sizeof word);
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 29U;
+  }
+  return hash;
+}
+
+std::uint64_t hash_of(const geometry::Mesh& mesh) {
+  const auto count = static_cast<std::uint64_t>(mesh.triangles.cols());
+  return mixed(mixed(count, mesh.vertices), mesh.triangles);
+}
+
+bool is_same(const geometry::Mesh& a, const geometry::Mesh& b) {
+  return a.vertices.cols() == b.vertices.cols() && a.triangles.cols() == b.triangles.cols() &&
+         a.vertices == b.vertices && a.triangles == b.triangles;
+}
+
+/// The meshes that were asked for last.
+class Kept {
+ public:
+  std::optional<CollisionShape> find(const geometry::Mesh& mesh, std::uint64_t hash) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.hash == hash && is_same(entry.mesh, mesh);
+    });
+    if (found == entries_.end()) return std::nullopt;
+    entries_.splice(entries_.begin(), entries_, found);
+    return found->shape;
+  }
+
+  void add(const geometry::Mesh& mesh, std::uint64_t hash, const CollisionShape& shape) {
+    if (mesh.triangles.cols() > kMost / 2) return;  // others would have to go
+    const std::lock_guard lock(mutex_);
+    entries_.push_front({hash, mesh, shape});
+    count_ += mesh.triangles.cols();
+    for (; count_ > kMost; entries_.pop_back()) count_ -= entries_.back().mesh.triangles.cols();
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t hash;
+    geometry::Mesh mesh;
+    CollisionShape shape;
+  };
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // the last one first
+  Eigen::Index count_ = 0;    // of triangles
+};
+
+}  // namespace
+
+CollisionShape prepared(const geometry::Mesh& mesh,
+                        const std::function<CollisionShape(const geometry::Mesh&)>& make) {
+  static Kept kept;
+  const std::uint64_t hash = hash_of(mesh);
+  if (std::optional<CollisionShape> found = kept.find(mesh, hash)) return *std::move(found);
+  CollisionShape shape = make(mesh);
+  kept.add(mesh, hash, shape);
+  return shape;
+}
+
+}  // namespace graspless::collision
