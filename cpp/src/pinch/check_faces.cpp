@@ -4,11 +4,9 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
-#include <utility>
-
-#include "graspless/watch.hpp"
 
 #include "pinch/check_contacts.hpp"
+#include "pinch/face_measure.hpp"
 
 namespace graspless::pinch {
 
@@ -18,7 +16,6 @@ namespace {
 
 constexpr double kOnLine = 1e-6;    // [m]
 constexpr double kOffFace = 0.004;  // of a contact from a noisy outline [m]
-constexpr double kSlack = 0.10;     // of slopes that are measured in two ways
 
 class FacesExamination {
  public:
@@ -55,43 +52,16 @@ class FacesExamination {
   }
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }
 
-  /// The outline around a contact leans by no more than the friction allows, to both sides of it.
+  /// The outline around a contact leans by no more than the friction allows.
   void check_face(int i, const Vector2d& outward) {
-    constexpr double kHalf = 0.004;  // [m]
     const std::string where = "contact " + std::to_string(i);
-    for (const auto& [from, to] : {std::pair(-kHalf, kHalf), {-kHalf, 0.0}, {0.0, kHalf}}) {
-      const std::optional<double> slope = slope_around(contact(i).head<2>(), outward, from, to);
-      if (slope && std::atan(std::abs(*slope)) > std::atan(options_.friction) + kSlack)
-        fault(where,
-              "the face leans by a tangent of " + figure(*slope) + ", which exceeds the friction");
+    const std::optional<double> slope =
+        steepest_around(problem_.object.outline(), contact(i).head<2>(), outward);
+    if (!slope) return fault(where, "there is no face around it");
+    if (!is_held(*slope, options_.friction)) {
+      fault(where,
+            "the face leans by a tangent of " + figure(*slope) + ", which exceeds the friction");
     }
-    if (!slope_around(contact(i).head<2>(), outward, -kHalf, kHalf))
-      fault(where, "there is no face around it");
-  }
-
-  /// Slope of the line that fits best the outline beside p, between two distances along the face;
-  /// nothing if there is no outline.
-  std::optional<double> slope_around(const Vector2d& p, const Vector2d& outward, double from,
-                                     double to) const {
-    constexpr double kBehind = 0.008, kSpacing = 2e-4;  // [m]
-    const Vector2d along(-outward.y(), outward.x());
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    const geometry::Polygon& outline = problem_.object.outline();
-    for (int k = 0; k < outline.size(); ++k) {
-      poll();
-      const geometry::Polygon::Edge edge = outline.edge(k);
-      if (edge.inward.dot(outward) >= 0) continue;  // it faces the other way
-      const int count = std::max(1, static_cast<int>((edge.b - edge.a).norm() / kSpacing));
-      for (int j = 0; j < count; ++j) {
-        const Vector2d off = edge.a + (edge.b - edge.a) * (j + 0.5) / count - p;
-        const double u = along.dot(off), v = outward.dot(off);
-        if (u < from || u > to || std::abs(v) > kBehind) continue;
-        n += 1, x += u, y += v, xx += u * u, xy += u * v;
-      }
-    }
-    const double spread = n > 0 ? xx - x * x / n : 0;
-    if (spread <= 0) return std::nullopt;
-    return (xy - x * y / n) / spread;
   }
 
   const Problem& problem_;

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "pinch/face_measure.hpp"
+
 namespace graspless::pinch {
 
 using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector2d, Eigen::Vector3d;
@@ -19,6 +21,16 @@ constexpr double kApart = 0.02;        // between faces of one direction [m]
 constexpr double kLever = 0.05;        // costs as much as a coefficient of friction of 1 [m]
 constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
 constexpr double kSameHeight = 0.008;  // [m]
+
+std::string slippery(double needed, double allowed) {
+  char text[128];
+  std::snprintf(
+      text, sizeof text,
+      "no two faces are opposite each other: a coefficient of friction of %.2f is needed, "
+      "at most %.2f is allowed",
+      needed, allowed);
+  return text;
+}
 
 /// Narrows the faces down, and notes what the nearest of the rejected ones lack.
 class Selection {
@@ -36,7 +48,8 @@ class Selection {
     };
     const double friction = least([](const Faces& pair) { return pair.friction; });
     keep(faces, [&](const Faces& pair) { return pair.friction <= options_.friction; });
-    if (faces.empty()) return refuse(result, Status::too_slippery, slippery(friction));
+    if (faces.empty())
+      return refuse(result, Status::too_slippery, slippery(friction, options_.friction));
     const double narrowest = least([](const Faces& pair) { return pair.width; });
     const double opening = jaw_.opening() - 2 * options_.margin;
     keep(faces,
@@ -66,15 +79,6 @@ class Selection {
     result.status = status;
     result.reason = reason;
     return {};
-  }
-
-  std::string slippery(double friction) const {
-    char text[128];
-    std::snprintf(text, sizeof text,
-                  "no two faces are opposite each other: a coefficient of friction of %.2f is "
-                  "needed, at most %.2f is allowed",
-                  friction, options_.friction);
-    return text;
   }
 
   template <class Predicate>
@@ -111,6 +115,27 @@ std::vector<double> heights(const Faces& faces, double thickness, double least, 
     if (height > found.back() + kSameHeight) found.push_back(height);
   }
   return found;
+}
+
+/// Drops faces that lean too much where a pad touches them, by the test of check().
+void drop_leaning(std::vector<Faces>& faces, const Problem& problem, const Options& options,
+                  Grasps& result) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto leans = [&](const Faces& pair) {
+    const Vector2d closing = (pair.second - pair.first).normalized();
+    const geometry::Polygon& outline = problem.object.outline();
+    const auto first = steepest_around(outline, pair.first, -closing),
+               second = steepest_around(outline, pair.second, closing);
+    if (!first || !second) return true;
+    const double slope = std::max(std::abs(*first), std::abs(*second));
+    least = std::min(least, slope);
+    return !is_held(slope, options.friction);
+  };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), leans), faces.end());
+  if (faces.empty() && result.status == Status::solved) {
+    result.status = Status::too_slippery;
+    result.reason = slippery(least, options.friction);
+  }
 }
 
 /// The best faces of each direction and height, best first.
@@ -150,6 +175,7 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
                                                : Selection(problem, options, jaw).run(result));
   if (has_walls && !faces.empty())
     faces = measured_walls(std::move(faces), problem, options, jaw, result);
+  if (!has_walls) drop_leaning(faces, problem, options, result);
   result.num_faces = faces.size();
   const Isometry3d& X_WS = problem.support.X_WS();
   const Isometry3d X_SO = X_WS.inverse() * problem.X_WO_start;

@@ -90,6 +90,30 @@ TEST(Pinch, RefusesByLengths) {
   EXPECT_EQ(flat.reason.rfind("5 mm high; ", 0), 0U) << flat.reason;
 }
 
+/// A bar whose outline a noisy camera saw.
+geometry::Polygon ragged_bar(unsigned seed) {
+  std::mt19937_64 rng(seed);
+  std::normal_distribution<double> off(0, 0.0022);
+  std::uniform_real_distribution<double> step(0.003, 0.008);
+  std::vector<Vector2d> low, high;
+  for (double x = -0.08; x < 0.08; x += step(rng)) low.emplace_back(x, -0.008 + off(rng));
+  for (double x = 0.08; x > -0.08; x -= step(rng)) high.emplace_back(x, 0.008 + off(rng));
+  low.insert(low.end(), high.begin(), high.end());
+  return geometry::Polygon(geometry::columns(low));
+}
+
+TEST(Pinch, PlansOnRaggedOutlinesHold) {
+  int solved = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const Problem problem = standing(ragged_bar(seed), 0.03);
+    const Plan found = pinch::plan(problem);
+    if (!found) continue;
+    ++solved;
+    EXPECT_EQ(joined(check(problem, found)), "") << seed;
+  }
+  EXPECT_GT(solved, 150);
+}
+
 TEST(Pinch, RefusesFacesThatAreNotOpposite) {
   const geometry::Polygon wedge(geometry::columns({{0, 0}, {0.05, -0.04}, {0.05, 0.04}}));
   Options options;
