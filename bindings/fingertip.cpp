@@ -648,6 +648,7 @@ void bind_planner(py::module_& m) {
         "Raises ValueError like the other two, or if the search does not fit into "
         "options.max_memory.");
   const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
+  const py::arg_v default_realize_options("realize_options", RealizeOptions{}, "RealizeOptions()");
   m.def(
       "realize",
       [](const Problem& problem, const Plan& plan, const robot::Robot& robot,
@@ -686,6 +687,46 @@ void bind_planner(py::module_& m) {
       "------\n"
       "ValueError\n"
       "    A frame is unknown, the home lies outside the joint limits, or the plan is not solved.");
+  m.def(
+      "plan_carried",
+      [](const Problem& problem, const Options& options, const robot::Robot& robot,
+         const Carrier& carrier, const Array& q_home, const RealizeOptions& realize_options,
+         const StoppableBudget& budget) {
+        const Eigen::VectorXd q = to_configuration(robot, q_home, "q_home");
+        CarriedPlan found = run_interruptibly(budget, [&problem, options, &robot, carrier, q,
+                                                       realize_options](const planning::Budget& b) {
+          return plan_carried(problem, options, robot, carrier, q, realize_options, b);
+        });
+        return std::make_pair(std::move(found.plan), std::move(found.realization));
+      },
+      py::arg("problem"), py::arg("options"), py::arg("robot"), py::arg("carrier"),
+      py::arg("q_home"), default_realize_options, default_budget,
+      "Plans the fingertips and the joint paths that carry them.\n\n"
+      "If the robot cannot carry the best plan out, plans whose fingertips are nearer together are "
+      "tried.\n"
+      "A plan that is not the best has a warning. If there are joint paths for none, the best plan "
+      "is\n"
+      "returned with the status not_realized. Releases the GIL: other Python threads can run. "
+      "Ctrl-C\n"
+      "raises KeyboardInterrupt.\n\n"
+      "Parameters\n"
+      "----------\n"
+      "problem : Problem\n"
+      "options : Options\n"
+      "robot : robot.Robot\n"
+      "carrier : Carrier\n"
+      "    Parts of the robot that carry the fingertips.\n"
+      "q_home : (dof,) array\n"
+      "    Configuration at the start [rad or m].\n"
+      "realize_options : RealizeOptions, optional\n"
+      "budget : planning.Budget, optional\n\n"
+      "Returns\n"
+      "-------\n"
+      "(Plan, Realization)\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    As plan() and realize() do.");
   bind_judge<std::vector<std::string>>(
       m, "check_realization", check,
       "Checks joint paths against problem and plan: limits, steps, fingertips, collisions.\n\n"

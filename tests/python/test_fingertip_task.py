@@ -314,6 +314,26 @@ budget:""")  # fmt: skip
     np.testing.assert_allclose(arm.q_home, arm.robot.state("home"))
 
 
+def test_other_fingertip_plans_where_the_hand_does_not_open(write):
+    text = """\
+kind: fingertip
+object: {name: block, box: [0.062, 0.078, 0.08], mass: 0.2}
+fingers: {count: 2, radius: 0.013, max_normal_force: 10, friction: 0.8}
+friction: 0.8
+motion: {tumble: {over: +x, pose: {position: [0.60, 0, 0.04]}, segments: 18}}
+robot: {urdf: wam_t42_tips}
+"""
+    best = graspless.plan(write(text + "realize: {plans: 1}\n"))
+    assert best.status == fingertip.Status.not_realized
+    assert "touches 'block': a hand that opens wider" in best.reason
+    plan = graspless.plan(write(text))
+    assert plan, plan.reason
+    assert graspless.check(plan) == []
+    assert plan.cost > best.cost == pytest.approx(plan.lower_bound)
+    assert "the best plan costs" in plan.warnings[-1]
+    assert max(s.scrub for s in plan.joint_segments) <= plan.task.arm.options.max_scrub
+
+
 def test_walls_of_the_example_are_as_written(write):
     problem = graspless.load_task(write(TUMBLE)).problem
     np.testing.assert_allclose([p.n_W for p in problem.planes], [[0, 0, 1], [1, 0, 0], [0, -1, 0]])

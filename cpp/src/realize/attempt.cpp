@@ -212,7 +212,7 @@ std::optional<Attempts::Leaving> Attempts::leave(const Grip& grip, FingerMask fi
     hand_.scene.set_contacts(grip.n_O, all() & ~fingers);
     const Eigen::VectorXd last = rows.positions.back();
     if (hand_.scene.is_free(last)) return Leaving{std::move(rows), last};
-    misses_.note(stage, distance, where + ", off the surface: " + hand_.scene.collision(last));
+    misses_.note(stage, distance, where + ", off the surface: " + describe_collision(hand_, last));
   }
   return std::nullopt;
 }

@@ -17,6 +17,11 @@
 
 namespace graspless::realize {
 
+/// "q_home: a touches b", with the object where the plan begins; or empty.
+std::string home_collision(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                           const Carrier& carrier, const Eigen::VectorXd& q_home,
+                           const RealizeOptions& options);
+
 /// Progress of the attempts, for the reason of a failure. Only the farthest attempts count; the
 /// reason is what happened to most of them.
 class Misses {

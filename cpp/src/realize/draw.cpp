@@ -53,7 +53,7 @@ std::optional<Eigen::VectorXd> Attempts::configuration(const Grip& grip,
   hand_.scene.set_contacts(grip.n_O, all());
   hand_.scene.place_object(X_WO);
   if (hand_.scene.is_free(q)) return q;
-  misses_.note(stage + 1, 0, where + ": " + hand_.scene.collision(q));
+  misses_.note(stage + 1, 0, where + ": " + describe_collision(hand_, q));
   return std::nullopt;
 }
 

@@ -289,12 +289,4 @@ Hand::Hand(const Problem& problem, const robot::Robot& robot, const Carrier& car
       radius(problem.fingers.radius),
       options(given) {}
 
-std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q) {
-  const auto [distance, finger] = hand.ik.miss(targets, q);
-  char figure[32];
-  std::snprintf(figure, sizeof figure, "%.3g mm", 1e3 * distance);
-  return "fingertip '" + hand.ik.fingertip(finger) + "' misses the place of finger " +
-         std::to_string(finger) + " by " + figure;
-}
-
 }  // namespace graspless::realize

@@ -120,7 +120,9 @@ struct Hand {
   const RealizeOptions& options;
 };
 
-/// "fingertip 'a' misses the place of finger 0 by 12.3 mm"
+/// "'a' touches 'b': c leaves room", or empty if nothing touches.
+std::string describe_collision(Hand& hand, const Eigen::VectorXd& q);
+/// "fingertip 'a' misses the place of finger 0 by 12.3 mm: nearer to the robot, ..."
 std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q);
 
 }  // namespace graspless::realize

@@ -41,11 +41,6 @@ std::vector<std::vector<int>> assignments(int fingers) {
   return all;
 }
 
-std::string home_collision(Hand& hand, const Plan& plan, const Eigen::VectorXd& q_home) {
-  hand.scene.place_object(plan.segments.front().X_WO.front());
-  return hand.scene.collision(q_home);
-}
-
 double total_scrub(const std::vector<JointSegment>& segments) {
   double sum = 0;
   for (const JointSegment& segment : segments) sum += segment.scrub;
@@ -77,12 +72,8 @@ void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
     Hand hand(problem, robot, carrier, assignment, options);
     attempts.emplace_back(problem, plan, q_home, std::move(hand), clock, rng, misses);
   }
-  Hand home(problem, robot, carrier, assignments(problem.fingers.count).front(), options);
-  result.reason = home_collision(home, plan, q_home);
-  if (!result.reason.empty()) {
-    result.reason = "q_home: " + result.reason;
-    return;
-  }
+  result.reason = home_collision(problem, plan, robot, carrier, q_home, options);
+  if (!result.reason.empty()) return;
   bool is_out = false;
   int found = 0;
   for (int round = 0; round < options.restarts && found < options.solutions && !is_out; ++round) {
@@ -99,6 +90,16 @@ void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
 }
 
 }  // namespace
+
+std::string home_collision(const Problem& problem, const Plan& plan, const robot::Robot& robot,
+                           const Carrier& carrier, const Eigen::VectorXd& q_home,
+                           const RealizeOptions& options) {
+  Hand hand(problem, robot, carrier, assignments(problem.fingers.count).front(), options);
+  hand.scene.place_object(plan.segments.front().X_WO.front());
+  const std::string collision = hand.scene.collision(q_home);
+  return collision.empty() ? "" : "q_home: " + collision;
+}
+
 }  // namespace graspless::realize
 
 namespace graspless::fingertip {

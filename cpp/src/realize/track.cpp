@@ -72,7 +72,7 @@ class Tracker {
       const Eigen::VectorXd& from = out_.positions.back();
       hand_.scene.place_object(out_.X_WO.back());
       if (!hand_.scene.is_motion_free(from, *q, stretch_.pose(s), hand_.options.resolution)) {
-        out_.fault = hand_.scene.collision(*q);
+        out_.fault = describe_collision(hand_, *q);
         if (out_.fault.empty()) out_.fault = "something touches on the way to the next row";
         return;
       }
@@ -106,7 +106,7 @@ class Tracker {
   void blame(double s) {
     Eigen::VectorXd q = out_.positions.back();
     if (hand_.ik.solve(stretch_.targets(s), kIkTolerance, 4 * kIterations, q)) {
-      out_.fault = "the arm would have to jump";
+      out_.fault = "the arm would have to jump: another pose of the object may help";
     } else {
       out_.fault = describe_miss(hand_, stretch_.targets(s), q);
     }

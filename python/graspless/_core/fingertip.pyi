@@ -14,7 +14,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'certify_realization', 'check', 'check_realization', 'join', 'plan', 'realize', 'resume', 'slide_path', 'turn_path', 'validate']
+__all__: list[str] = ['Carrier', 'Face', 'FingerState', 'Fingers', 'Goal', 'JointSegment', 'Lattice', 'Object', 'Options', 'Path', 'Plan', 'Plane', 'Problem', 'Realization', 'RealizeOptions', 'Relaxation', 'Row', 'Search', 'Segment', 'Statistics', 'Status', 'certify_realization', 'check', 'check_realization', 'join', 'plan', 'plan_carried', 'realize', 'resume', 'slide_path', 'turn_path', 'validate']
 class Face:
     """
     Planar face of an object.
@@ -1063,7 +1063,7 @@ class RealizeOptions:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8) -> None:
+    def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8, plans: typing.SupportsInt | typing.SupportsIndex = 8, max_scrub: typing.SupportsFloat | typing.SupportsIndex = 0.0015) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -1088,6 +1088,26 @@ class RealizeOptions:
         """
     @max_jump.setter
     def max_jump(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def max_scrub(self) -> float:
+        """
+        Slip of a fingertip on its contact in a segment, above which further fingertip plans are tried. If all slip as far, that with the least scrub is kept.
+        
+        Unit: m. Range: [0, inf). Default: 0.0015.
+        """
+    @max_scrub.setter
+    def max_scrub(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def plans(self) -> int:
+        """
+        Number of fingertip plans to try: the best one, then those with fingertips nearer to each other.
+        
+        Range: [1, 1e+06]. Default: 8.
+        """
+    @plans.setter
+    def plans(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
     @property
     def position_tolerance(self) -> float:
@@ -1257,6 +1277,36 @@ def plan(problem: Problem, options: Options = ..., budget: graspless._core.plann
     Releases the GIL: other Python threads can run. Ctrl-C raises KeyboardInterrupt; budget.stop() ends the query, which then returns the best result so far.
     
     Raises ValueError on a bad problem or bad options.
+    """
+def plan_carried(problem: Problem, options: Options, robot: graspless._core.robot.Robot, carrier: Carrier, q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], realize_options: RealizeOptions = ..., budget: graspless._core.planning.Budget = ...) -> tuple[Plan, Realization]:
+    """
+    Plans the fingertips and the joint paths that carry them.
+    
+    If the robot cannot carry the best plan out, plans whose fingertips are nearer together are tried.
+    A plan that is not the best has a warning. If there are joint paths for none, the best plan is
+    returned with the status not_realized. Releases the GIL: other Python threads can run. Ctrl-C
+    raises KeyboardInterrupt.
+    
+    Parameters
+    ----------
+    problem : Problem
+    options : Options
+    robot : robot.Robot
+    carrier : Carrier
+        Parts of the robot that carry the fingertips.
+    q_home : (dof,) array
+        Configuration at the start [rad or m].
+    realize_options : RealizeOptions, optional
+    budget : planning.Budget, optional
+    
+    Returns
+    -------
+    (Plan, Realization)
+    
+    Raises
+    ------
+    ValueError
+        As plan() and realize() do.
     """
 def realize(problem: Problem, plan: Plan, robot: graspless._core.robot.Robot, carrier: Carrier, q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], options: RealizeOptions = ..., budget: graspless._core.planning.Budget = ...) -> Realization:
     """

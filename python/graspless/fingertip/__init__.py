@@ -16,10 +16,8 @@
 from __future__ import annotations
 
 import math
-import time
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from .. import limits
 from .._any_plan import AnyPlan, of_found, own_segments
 from .._core import fingertip as _core
 from .._core.fingertip import (
@@ -45,6 +43,7 @@ from .._core.fingertip import (
     check,
     check_realization,
     join,
+    plan_carried,
     realize,
     slide_path,
     turn_path,
@@ -125,7 +124,7 @@ class Plan(AnyPlan, _core.Plan):
     def _of(cls, found: Any, task: Any, **changes: Any) -> Plan:
         changes["segments"] = [Segment(s.name, s.X_WO, s.rows, s.finger) for s in found.segments]
         changes["lower_bound"] = _finite(found.lower_bound)
-        if not found:
+        if found.status not in (Status.solved, Status.not_realized):
             changes["cost"] = changes["withstands"] = changes["place_tolerance"] = None
         if found.weakest_segment >= 0:
             changes["weakest"] = Weakest(found.weakest_segment, found.weakest_row)
@@ -134,17 +133,14 @@ class Plan(AnyPlan, _core.Plan):
     @classmethod
     def _search(cls, task: Any, budget: Budget) -> Plan:
         """Plans, and gives the plan the task's arm."""
-        began = time.monotonic()
-        found = _core.plan(task.problem, task.options, budget)
-        if task.arm is None or not found:
-            return cls._of(found, task)
         arm = task.arm
-        left = limits.rest(budget, began)
-        paths = realize(task.problem, found, arm.robot, arm.carrier, arm.q_home, arm.options, left)
-        if paths:
-            return cls._of(found, task, realization=paths)
-        status = Status.not_realized
-        return cls._of(found, task, realization=paths, status=status, reason=paths.reason)
+        if arm is None:
+            return cls._of(_core.plan(task.problem, task.options, budget), task)
+        found, paths = plan_carried(
+            task.problem, task.options, arm.robot, arm.carrier, arm.q_home, arm.options, budget
+        )
+        was_tried = found.status in (Status.solved, Status.not_realized)
+        return cls._of(found, task, realization=paths if was_tried else None)
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan and of its joint paths."""
@@ -283,6 +279,7 @@ __all__ = [
     "check_realization",
     "join",
     "plan",
+    "plan_carried",
     "realize",
     "resume",
     "slide_path",

@@ -30,6 +30,8 @@ struct RealizeOptions {
   double position_tolerance = 1e-4;
   int restarts = 40;
   int solutions = 8;
+  int plans = 8;
+  double max_scrub = 1.5e-3;
 };
 
 /// Table of the members: name, unit, text, range and source.
@@ -53,7 +55,15 @@ constexpr auto fields(const RealizeOptions&) {
             "Number of rounds of initial configurations to search from.", Range::closed(1, 1e6)},
       Field{"solutions", &Options::solutions, "",
             "Number of solutions to find; the one with the least scrub is kept.",
-            Range::closed(1, 1e6)});
+            Range::closed(1, 1e6)},
+      Field{"plans", &Options::plans, "",
+            "Number of fingertip plans to try: the best one, then those with fingertips nearer to "
+            "each other.",
+            Range::closed(1, 1e6)},
+      Field{"max_scrub", &Options::max_scrub, "m",
+            "Slip of a fingertip on its contact in a segment, above which further fingertip plans "
+            "are tried. If all slip as far, that with the least scrub is kept.",
+            Range::not_negative()});
 }
 
 /// Part of a joint motion. Consecutive rows differ by at most max_jump in any joint.
@@ -93,6 +103,24 @@ GRASPLESS_API Realization realize(const Problem& problem, const Plan& plan,
                                   const robot::Robot& robot, const Carrier& carrier,
                                   const Eigen::VectorXd& q_home, const RealizeOptions& options = {},
                                   const planning::Budget& budget = {});
+
+/// A plan of the fingertips and the joint paths that carry it out.
+struct CarriedPlan {
+  Plan plan;
+  Realization realization;
+};
+
+/// Calls plan() and realize(). If the robot cannot carry the best plan out, or only with a scrub
+/// beyond max_scrub, plans whose fingertips are nearer together are tried: most often, the hand
+/// does not open as wide as the best one needs. A plan that is not the best has a warning, and the
+/// lower bound of the best. If there are joint paths for none, the best plan is returned with the
+/// status not_realized. realize() never takes more than half of the time that is left, unless it is
+/// the last call. Throws as plan() and realize() do.
+GRASPLESS_API CarriedPlan plan_carried(const Problem& problem, const Options& options,
+                                       const robot::Robot& robot, const Carrier& carrier,
+                                       const Eigen::VectorXd& q_home,
+                                       const RealizeOptions& realize_options = {},
+                                       const planning::Budget& budget = {});
 
 /// Checks joint paths against problem and plan: joint limits and steps, fingertips within the
 /// tolerance of the plan's, collisions by FCL, and the object's poses. Returns one fault per entry;
