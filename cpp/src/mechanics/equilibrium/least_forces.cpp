@@ -6,6 +6,7 @@
 #include "mechanics/equilibrium/least_forces.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -16,36 +17,43 @@ constexpr int kMaxSteps = 100;
 constexpr double kTolerance = 1e-12;  // of the rows, relative
 constexpr double kDamping = 1e-13;    // of the Hessian, relative
 
+/// Multipliers, the x that follows from them, and the value of the dual, which is convex and has
+/// the gradient A x - b.
+struct Point {
+  Eigen::VectorXd lambda, x;
+  double value;
+  Point(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& at)
+      : lambda(at), x((A.transpose() * at).cwiseMax(0)), value(0.5 * x.squaredNorm() - b.dot(at)) {}
+};
+
 /// Returns lambda for A x = b.
 std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  Eigen::VectorXd lambda = Eigen::VectorXd::Zero(A.rows());
-  const auto x_of = [&](const Eigen::VectorXd& at) {
-    return (A.transpose() * at).cwiseMax(0).eval();
-  };
-  const auto value = [&](const Eigen::VectorXd& at) {  // convex; its gradient is A x - b
-    return 0.5 * x_of(at).squaredNorm() - b.dot(at);
-  };
+  const double enough = kTolerance * (1 + b.norm()), damping = kDamping * (1 + A.squaredNorm());
+  Point now(A, b, Eigen::VectorXd::Zero(A.rows()));
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Eigen::VectorXd x = x_of(lambda);
-    const Eigen::VectorXd gradient = A * x - b;
-    if (gradient.norm() <= kTolerance * (1 + b.norm())) return lambda;
+    const Eigen::VectorXd gradient = A * now.x - b;
+    if (gradient.norm() <= enough) return now.lambda;
     Eigen::MatrixXd held = A;
-    for (Eigen::Index j = 0; j < x.size(); ++j) {
-      if (x[j] <= 0 && step > 0) held.col(j).setZero();
+    for (Eigen::Index j = 0; j < now.x.size(); ++j) {
+      if (now.x[j] <= 0 && step > 0) held.col(j).setZero();
     }
     Eigen::MatrixXd hessian = held * held.transpose();
-    hessian.diagonal().array() += kDamping * (1 + A.squaredNorm());
+    hessian.diagonal().array() += damping;
     const Eigen::VectorXd direction = -hessian.ldlt().solve(gradient);
-    const double slope = gradient.dot(direction), now = value(lambda);
-    const auto is_better = [&](const Eigen::VectorXd& at, double length) {
+    const double slope = gradient.dot(direction);
+    const auto is_better = [&](const Point& next, double length) {
       // Near the solution, values differ by less than rounding errors; the gradient still
       // decreases.
-      return value(at) <= now + 1e-4 * length * slope ||
-             (A * x_of(at) - b).norm() <= 0.5 * gradient.norm();
+      return next.value <= now.value + 1e-4 * length * slope ||
+             (A * next.x - b).norm() <= 0.5 * gradient.norm();
     };
     double length = 1;
-    while (length > 1e-10 && !is_better(lambda + length * direction, length)) length /= 2;
-    lambda += length * direction;
+    Point next(A, b, now.lambda + direction);
+    while (length > 1e-10 && !is_better(next, length)) {
+      length /= 2;
+      next = Point(A, b, now.lambda + length * direction);
+    }
+    now = std::move(next);
   }
   return std::nullopt;
 }
