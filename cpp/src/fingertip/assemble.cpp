@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "graspless/mechanics/withstands.hpp"
 #include "graspless/watch.hpp"
 
 #include "fingertip/model/locations.hpp"
 #include "fingertip/model/screw.hpp"
 #include "fingertip/planner.hpp"
+#include "fingertip/row_forces.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -47,6 +47,7 @@ class Assembler {
       if (i > 0) regrasp(stages, i);
       displace(stages[i]);
     }
+    add_forces();
   }
 
  private:
@@ -113,7 +114,7 @@ class Assembler {
     return Vector6d::Zero();
   }
 
-  /// One sample, with finger `lifted` off the object (-1: none).
+  /// One sample without its forces, with finger `lifted` off the object (-1: none).
   Row row(const mechanics::BodyState& state, int lifted) {
     const int instant = instants_.add(state);
     if (instant != last_instant_ || lifted != last_lifted_ || slots_ != last_slots_) {
@@ -123,6 +124,7 @@ class Assembler {
       last_slots_ = slots_;
     }
     last_.X_WO = state.X_WO;
+    contacts_of_row_.push_back(contacts_.size() - 1);
     return last_;
   }
 
@@ -135,23 +137,11 @@ class Assembler {
       at.push_back(slots_[static_cast<std::size_t>(i)]);
       if (!modes_.empty()) previous.push_back(modes_[static_cast<std::size_t>(i)]);
     }
-    const mechanics::ControlModes best = evaluator_.control_modes(instant, at, previous);
-    const mechanics::ContactSet set =
-        contact_set(instants_[instant], locations_, problem_.fingers, at);
-    const auto nominal =
-        mechanics::compliant_equilibrium(set, best.modes, best.stability.commanded_forces,
-                                         options_.compliance, options_.disturbance_directions);
+    contacts_.push_back({contact_set(instants_[instant], locations_, problem_.fingers, at),
+                         evaluator_.control_modes(instant, at, previous)});
+    const mechanics::ControlModes& best = contacts_.back().best;
     Row row;
     row.stability = best.stability.z;
-    if (nominal) {
-      row.nominal_margin = nominal->margin;
-      row.compliant_stability = mechanics::compliant_stability(
-          set, best.modes, *nominal, options_.compliance, options_.disturbance_directions);
-      const mechanics::Promise promise = mechanics::promise(
-          set, best.modes, *nominal, options_.compliance, yield_, options_.disturbance_directions);
-      row.withstands = promise.withstands;
-      row.place_tolerance = promise.place_tolerance;
-    }
     modes_.resize(slots_.size(), FingerMode::position);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       row.fingers.push_back(standing_at(locations_[slots_[i]]));
@@ -162,9 +152,29 @@ class Assembler {
       const auto column = static_cast<Eigen::Index>(k);
       modes_[i] = row.fingers[i].mode = best.modes[k];
       row.fingers[i].commanded_force = best.stability.commanded_forces[column];
-      if (nominal) row.fingers[i].nominal_force_O = nominal->finger_forces_O.col(column);
     }
     return row;
+  }
+
+  /// Nominal forces of all rows, and what they withstand.
+  void add_forces() {
+    const std::vector<RowForces> all = forces_of(contacts_, options_, yield_);
+    std::size_t next = 0;
+    for (Segment& segment : plan_.segments) {
+      for (Row& row : segment.rows) set_forces(all[contacts_of_row_[next++]], row);
+    }
+  }
+
+  static void set_forces(const RowForces& forces, Row& row) {
+    if (!forces.nominal) return;
+    row.nominal_margin = forces.nominal->margin;
+    row.compliant_stability = forces.compliant_stability;
+    row.withstands = forces.promise.withstands;
+    row.place_tolerance = forces.promise.place_tolerance;
+    Eigen::Index column = 0;
+    for (FingerState& finger : row.fingers) {
+      if (finger.touches) finger.nominal_force_O = forces.nominal->finger_forces_O.col(column++);
+    }
   }
 
   static FingerState standing_at(const Location& location) {
@@ -183,6 +193,8 @@ class Assembler {
   mechanics::Yield yield_;
   std::vector<int> slots_;         // where each finger is
   std::vector<FingerMode> modes_;  // of each finger in the row before
+  std::vector<RowContacts> contacts_;
+  std::vector<std::size_t> contacts_of_row_;  // in the order of the rows
   // Rows of equal mechanics are equal but for the pose.
   Row last_;
   int last_instant_ = -1, last_lifted_ = -1;
