@@ -12,6 +12,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "mechanics/equilibrium/springs.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -19,13 +21,13 @@ RowForces forces_of(const RowContacts& row, const Options& options, const mechan
   const auto& [set, best] = row;
   const auto& directions = options.disturbance_directions;
   RowForces forces;
-  forces.nominal = mechanics::compliant_equilibrium(
-      set, best.modes, best.stability.commanded_forces, options.compliance, directions);
+  const auto springs = mechanics::sprung_along(set, best.modes, options.compliance, directions);
+  forces.nominal =
+      mechanics::compliant_equilibrium(set, best.modes, best.stability.commanded_forces, springs);
   if (!forces.nominal) return forces;
-  forces.compliant_stability = mechanics::compliant_stability(set, best.modes, *forces.nominal,
-                                                              options.compliance, directions);
-  forces.promise =
-      mechanics::promise(set, best.modes, *forces.nominal, options.compliance, yield, directions);
+  forces.compliant_stability = mechanics::compliant_stability(set, *forces.nominal, springs);
+  forces.promise = mechanics::promise(set, best.modes, *forces.nominal, options.compliance, yield,
+                                      directions, springs);
   return forces;
 }
 

@@ -21,18 +21,23 @@ void validate_nominal(const ContactSet& set, const Equilibrium& nominal) {
   }
 }
 
+double compliant_stability(const ContactSet& set, const Equilibrium& nominal,
+                           const std::optional<Sprung>& found) {
+  validate_nominal(set, nominal);
+  if (!found) return 0;
+  double t = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < found->springs.size(); ++i) {
+    const Spring& spring = found->springs[i];
+    const Eigen::Vector3d force_O = force_at(nominal, i);
+    t = std::min({t, spring.within_cone(force_O), spring.within_limit(force_O)});
+  }
+  return t;
+}
+
 double compliant_stability(const ContactSet& set, const std::vector<FingerMode>& modes,
                            const Equilibrium& nominal, const Compliance& compliance,
                            const Matrix6Xd& directions) {
-  const auto springs = springs_under(set, modes, compliance, directions);
-  validate_nominal(set, nominal);
-  if (!springs) return 0;
-  double t = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < springs->size(); ++i) {
-    const Eigen::Vector3d force_O = force_at(nominal, i);
-    t = std::min({t, (*springs)[i].within_cone(force_O), (*springs)[i].within_limit(force_O)});
-  }
-  return t;
+  return compliant_stability(set, nominal, sprung_along(set, modes, compliance, directions));
 }
 
 }  // namespace graspless::mechanics

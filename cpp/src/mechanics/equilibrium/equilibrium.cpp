@@ -93,24 +93,32 @@ std::optional<Equilibrium> interior_equilibrium(const ContactSet& set,
 std::optional<Equilibrium> compliant_equilibrium(const ContactSet& set,
                                                  const std::vector<FingerMode>& modes,
                                                  const Eigen::VectorXd& commanded_forces,
-                                                 const Compliance& compliance,
-                                                 const Matrix6Xd& directions) {
-  validate_all(set, modes, commanded_forces);
-  const ContactSet round = with_round_cones(set);
-  const auto springs = springs_under(round, modes, compliance, directions);
+                                                 const std::optional<Sprung>& found) {
+  validate_commanded_forces(set, modes, commanded_forces);
+  const ContactSet round = with_round_cones(set);  // with the same springs
   const double t_max = largest_force(round);
   const auto solve = [&](const std::vector<Reserve>& reserves, double kept) {
     return inner_forces(round, modes, commanded_forces, reserves, t_max, kept);
   };
   std::optional<Equilibrium> forces;
-  auto reserves = springs ? spring_reserves(*springs, along_normals(round)) : std::nullopt;
+  auto reserves = found ? spring_reserves(found->springs, along_normals(round)) : std::nullopt;
   for (int k = 0; reserves && k < kRounds; ++k) {
     const auto better = solve(*reserves, kKeptStability);
     if (!better) break;
     forces = better;
-    reserves = spring_reserves(*springs, *forces);
+    reserves = spring_reserves(found->springs, *forces);
   }
   return forces ? forces : solve(equal_reserves(round), kKeptMargin);
+}
+
+std::optional<Equilibrium> compliant_equilibrium(const ContactSet& set,
+                                                 const std::vector<FingerMode>& modes,
+                                                 const Eigen::VectorXd& commanded_forces,
+                                                 const Compliance& compliance,
+                                                 const Matrix6Xd& directions) {
+  validate_all(set, modes, commanded_forces);
+  return compliant_equilibrium(set, modes, commanded_forces,
+                               sprung_along(set, modes, compliance, directions));
 }
 
 }  // namespace graspless::mechanics

@@ -210,17 +210,13 @@ std::optional<Sprung> misplaced(const ContactSet& set, const std::vector<FingerM
   return found;
 }
 
-std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
-                                                 const std::vector<FingerMode>& modes,
-                                                 const Compliance& compliance,
-                                                 const Matrix6Xd& directions) {
+std::optional<Sprung> sprung_along(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                   const Compliance& compliance, const Matrix6Xd& directions) {
   validate(set);
   validate_modes(set, modes);
   planning::require_in_range("compliance.", compliance);
   validate_directions(directions);
-  auto found = sprung(set, modes, compliance, set.wrench_scale.partialPivLu().solve(directions));
-  if (!found) return std::nullopt;
-  return std::move(found->springs);
+  return sprung(set, modes, compliance, set.wrench_scale.partialPivLu().solve(directions));
 }
 
 }  // namespace graspless::mechanics

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "graspless/mechanics/equilibrium.hpp"
+#include "graspless/mechanics/withstands.hpp"
 
 namespace graspless::mechanics {
 
@@ -56,12 +57,21 @@ std::optional<Sprung> sprung(const ContactSet& set, const std::vector<FingerMode
 std::optional<Sprung> misplaced(const ContactSet& set, const std::vector<FingerMode>& modes,
                                 const Compliance& compliance);
 
-/// Springs of the contacts, then of the fingers, with the changes of their forces when the object
-/// has moved until the springs balance a disturbance. Nothing if the springs do not hold the
-/// object. Throws std::invalid_argument on a bad contact set, modes, compliance or directions.
-std::optional<std::vector<Spring>> springs_under(const ContactSet& set,
+/// The same under disturbances along `directions` in scaled wrench space. Throws
+/// std::invalid_argument on a bad contact set, modes, compliance or directions.
+std::optional<Sprung> sprung_along(const ContactSet& set, const std::vector<FingerMode>& modes,
+                                   const Compliance& compliance, const Matrix6Xd& directions);
+
+// The public functions of these names, for springs that are known: those of sprung_along(). Only
+// forces and yield are validated.
+std::optional<Equilibrium> compliant_equilibrium(const ContactSet& set,
                                                  const std::vector<FingerMode>& modes,
-                                                 const Compliance& compliance,
-                                                 const Matrix6Xd& directions);
+                                                 const Eigen::VectorXd& commanded_forces,
+                                                 const std::optional<Sprung>& found);
+double compliant_stability(const ContactSet& set, const Equilibrium& nominal,
+                           const std::optional<Sprung>& found);
+Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
+                const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
+                const Matrix6Xd& directions, const std::optional<Sprung>& found);
 
 }  // namespace graspless::mechanics

@@ -53,9 +53,12 @@ class Law {
     }
   }
 
+  std::optional<Sprung> sprung_by(const Compliance& compliance) const {
+    return sprung(set_, modes_, compliance, demands_);
+  }
+
   /// Largest t up to `most` with these springs; any t <= `enough` if it is not more than that.
-  double largest(const Compliance& compliance, double most, double enough) const {
-    const auto found = sprung(set_, modes_, compliance, demands_);
+  double largest(const std::optional<Sprung>& found, double most, double enough) const {
     if (!found) return 0;
     double t = within_yield(found->moved, most);
     const std::size_t contacts = set_.contacts.size();
@@ -152,8 +155,10 @@ struct Holding {
   std::vector<Compliance> springs;
 };
 
-/// The environment sticks, or its friction gives way and the set withstands more.
-Holding holding(const Law& law, const ContactSet& set, const Compliance& c) {
+/// The environment sticks, or its friction gives way and the set withstands more. `given`: the
+/// springs of the compliance.
+Holding holding(const Law& law, const ContactSet& set, const Compliance& c,
+                const std::optional<Sprung>& given) {
   const double rigid = kRigid * std::max({c.environment_normal, c.environment_tangential,
                                           c.finger_normal, c.finger_tangential});
   const auto with = [&](double normal, double tangential) {
@@ -161,14 +166,14 @@ Holding holding(const Law& law, const ContactSet& set, const Compliance& c) {
   };
   const double most = largest_force(set);
   const Compliance sticks = with(rigid, rigid);
-  Holding found{law.largest(sticks, law.largest(c, most, 0), 0), {c, sticks}};
+  Holding found{law.largest(law.sprung_by(sticks), law.largest(given, most, 0), 0), {c, sticks}};
   const bool can_give =
       std::any_of(set.contacts.begin(), set.contacts.end(),
                   [](const Contact& at) { return at.mode == ContactMode::stick; });
   if (!can_give) return found;
   for (const double share : {1.0, kGiven}) {
     const Compliance gives = with(rigid, share * c.finger_tangential);
-    const double t = law.largest(gives, most, found.disturbance);
+    const double t = law.largest(law.sprung_by(gives), most, found.disturbance);
     if (t > found.disturbance * (1 + kEven)) found = {t, {gives}};
   }
   return found;
@@ -191,19 +196,29 @@ double withstands(const ContactSet& set, const std::vector<FingerMode>& modes,
                   const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
                   const Matrix6Xd& directions) {
   validate_all(set, modes, nominal, compliance, yield, directions);
-  return holding(Law(set, modes, nominal, yield, directions), set, compliance).disturbance;
+  const Law law(set, modes, nominal, yield, directions);
+  return holding(law, set, compliance, law.sprung_by(compliance)).disturbance;
+}
+
+Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
+                const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
+                const Matrix6Xd& directions, const std::optional<Sprung>& found) {
+  validate_nominal(set, nominal);
+  validate_yield(yield);
+  const Law law(set, modes, nominal, yield, directions);
+  const Holding held = holding(law, set, compliance, found);
+  if (!(held.disturbance > 0)) return {};
+  double e = Promise::kAnyPlace;
+  for (const Compliance& springs : held.springs) e = std::min(e, law.tolerates(springs));
+  return {held.disturbance, e};
 }
 
 Promise promise(const ContactSet& set, const std::vector<FingerMode>& modes,
                 const Equilibrium& nominal, const Compliance& compliance, const Yield& yield,
                 const Matrix6Xd& directions) {
   validate_all(set, modes, nominal, compliance, yield, directions);
-  const Law law(set, modes, nominal, yield, directions);
-  const Holding found = holding(law, set, compliance);
-  if (!(found.disturbance > 0)) return {};
-  double e = Promise::kAnyPlace;
-  for (const Compliance& springs : found.springs) e = std::min(e, law.tolerates(springs));
-  return {found.disturbance, e};
+  return promise(set, modes, nominal, compliance, yield, directions,
+                 sprung_along(set, modes, compliance, directions));
 }
 
 }  // namespace graspless::mechanics
