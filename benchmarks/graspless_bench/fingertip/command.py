@@ -16,7 +16,7 @@ from ..arguments import check_writable, positive, say_partial
 if TYPE_CHECKING:
     import argparse
 
-GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces")
+GRIDS = ("paper", "weak", "scaling", "fingers", "se2", "faces", "arm")
 
 
 def add_parser(experiments: Any) -> None:

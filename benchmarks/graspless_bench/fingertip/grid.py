@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import random
 import warnings
 from typing import TYPE_CHECKING, Any
 
@@ -56,7 +57,7 @@ class Trial:
         extra = {"options": options, "budget": {"seconds": limit}}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # metres for the paper's units of length
-            return task_from_dict(self.document | extra, f"bench: {self.case}")
+            return task_from_dict(self.document | extra, f"bench: {self.case}", resolve=True)
 
     @property
     def threads(self) -> int:
@@ -185,6 +186,27 @@ def faces(engines: Sequence[str]) -> Iterator[Trial]:
             yield Trial(name, _task([5.0, 5.0, 10.0], motion), engine)
 
 
+def arm(engines: Sequence[str]) -> Iterator[Trial]:
+    """Tumbles of blocks of several sizes and places by the fingertips of a WAM."""
+    for engine in engines:
+        draw = random.Random(0).uniform
+        for number in range(20):
+            size = [round(draw(*side), 3) for side in ((0.03, 0.08), (0.03, 0.08), (0.05, 0.12))]
+            place = [round(draw(0.4, 0.75), 3), round(draw(-0.3, 0.3), 3), size[2] / 2]
+            pose = {"position": place, "rpy": [0.0, 0.0, round(draw(-math.pi, math.pi), 3)]}
+            text = " x ".join(f"{1000 * side:.0f}" for side in size)
+            document = {
+                "kind": "fingertip",
+                "object": {"name": "block", "box": size, "mass": round(draw(0.1, 0.4), 3)},
+                "fingers": {"radius": 0.013, "friction": 0.8},
+                "friction": 0.8,
+                "motion": {"tumble": {"over": "+x", "pose": pose, "segments": 18}},
+                "options": {"min_stability": 1.0},
+                "robot": {"urdf": "wam_t42_tips"},
+            }
+            yield Trial(f"{number}: {text} mm", document, engine)
+
+
 GRIDS: dict[str, tuple[Callable[[Sequence[str]], Iterator[Trial]], Sequence[str]]] = {
     "paper": (paper, ENGINES),
     "weak": (weak, ("fast",)),
@@ -192,5 +214,6 @@ GRIDS: dict[str, tuple[Callable[[Sequence[str]], Iterator[Trial]], Sequence[str]
     "fingers": (fingers, ("fast",)),
     "se2": (se2, ("fast",)),
     "faces": (faces, ("fast",)),
+    "arm": (arm, ("fast",)),
 }
 """What makes the trials of a grid, and the engines it compares unless told otherwise."""

@@ -109,6 +109,8 @@ def _columns(rows: Sequence[Row]) -> list[Column]:
         ("faults", lambda r: f"{len(r['faults'])}"),
         ("load", lambda r: f"{r['load']:g}"),
     ]
+    if any("scrub" in row for row in rows):
+        shown.insert(3, ("scrub [mm]", lambda r: _or_dash(_millimetres(r["scrub"]), ".2f")))
     if any(row["case"] in PAPER_MINUTES for row in rows):
         shown.insert(7, ("paper [min]", lambda r: _or_dash(r.get("paper_minutes"))))
     return shown
@@ -119,6 +121,10 @@ def _cost(row: Row) -> str:
         return str(row["status"])
     optimal = row["cost"] <= row["lower_bound"] * (1 + 1e-9)
     return f"{row['cost']:.9f}" if optimal else f"{row['cost']:.6f} (>= {row['lower_bound']:.6f})"
+
+
+def _millimetres(length: float | None) -> float | None:
+    return None if length is None else 1000 * length
 
 
 def _or_dash(value: float | None, form: str = "") -> str:

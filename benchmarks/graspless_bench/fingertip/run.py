@@ -89,7 +89,7 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
     load = os.getloadavg()[0]
     while len(times) < (runs or 5):
         start = time.perf_counter()
-        plan, status = _plan(task)
+        plan, status, paths = _plan(task)
         times.append(time.perf_counter() - start)
         if plan.status is fingertip.Status.interrupted:
             raise KeyboardInterrupt
@@ -97,7 +97,7 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
             break
     peak = memory.peak_bytes()
     start = time.perf_counter()
-    faults = fingertip.check(task.problem, plan, task.options) if plan else []
+    faults = _faults(task, plan, paths) if plan else []
     row = {
         "case": trial.case,
         "engine": trial.engine,
@@ -115,22 +115,43 @@ def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:
         "threads": trial.threads,
         "reason": plan.reason,
     }
+    if paths is not None:
+        row["scrub"] = max((segment.scrub for segment in paths.segments), default=None)
     if trial.case in PAPER_MINUTES and trial.engine != "fast":
         row["paper_minutes"] = PAPER_MINUTES[trial.case][trial.engine == "dijkstra"]
     return Found(row, task, plan)
 
 
-def _plan(task: Task) -> tuple[core.Plan, str]:
-    """Returns the plan and its status, `too_large` if the search would need too much memory."""
+def _plan(task: Task) -> tuple[core.Plan, str, core.Realization | None]:
+    """Returns the plan, its status (`too_large` if the search would need too much memory), and the
+    joint paths of a task with a robot.
+    """
+    arm, paths = task.arm, None
     try:
-        plan = core.plan(task.problem, task.options, task.budget)
+        if arm is None:
+            plan = core.plan(task.problem, task.options, task.budget)
+        else:
+            plan, paths = core.plan_carried(
+                task.problem, task.options, arm.robot, arm.carrier, arm.q_home, arm.options,
+                task.budget,
+            )  # fmt: skip
     except ValueError as error:
         if "max_memory" not in str(error):
             raise
         plan = core.Plan()
         plan.reason = str(error)
-        return plan, "too_large"
-    return plan, plan.status.name
+        return plan, "too_large", None
+    return plan, plan.status.name, paths
+
+
+def _faults(task: Task, plan: core.Plan, paths: core.Realization | None) -> list[str]:
+    faults = list(fingertip.check(task.problem, plan, task.options))
+    if paths is None:
+        return faults
+    arm = task.arm
+    return faults + core.check_realization(
+        task.problem, plan, arm.robot, arm.carrier, paths, arm.options
+    )
 
 
 def _of_plan(plan: core.Plan) -> dict[str, Any]:

@@ -62,20 +62,21 @@ std::string warning(const CarriedPlan& best, const CarriedPlan& kept, double rad
          " apart";
 }
 
-/// The kept plan with what became of the best, or the best with the reason why it is not carried.
-CarriedPlan concluded(const CarriedPlan& best, CarriedPlan kept, int tried, double radius) {
-  if (!kept.realization) {
-    kept.plan.status = Status::not_realized;
-    kept.plan.reason = kept.realization.reason;
-    if (tried > 1) {
-      kept.plan.reason += "; " + std::to_string(tried - 1) +
-                          (tried == 2 ? " more plan" : " more plans") +
-                          " with fingertips nearer together failed, too";
-    }
-  } else if (kept.plan.cost != best.plan.cost) {
-    kept.plan.lower_bound = std::min(best.plan.lower_bound, kept.plan.cost);
-    kept.plan.warnings.push_back(warning(best, kept, radius));
+/// The best plan, with the reasons why neither it nor the last one that was tried is carried out.
+CarriedPlan refused(CarriedPlan best, int tried, const std::string& last) {
+  best.plan.status = Status::not_realized;
+  best.plan.reason = best.realization.reason;
+  if (tried > 1) {
+    best.plan.reason += "; so failed " + std::to_string(tried - 1) +
+                        " more with fingertips nearer together, the last in " + last;
   }
+  return best;
+}
+
+/// The kept plan, with what became of the best.
+CarriedPlan instead(const CarriedPlan& best, CarriedPlan kept, double radius) {
+  kept.plan.lower_bound = std::min(best.plan.lower_bound, kept.plan.cost);
+  kept.plan.warnings.push_back(warning(best, kept, radius));
   return kept;
 }
 
@@ -92,11 +93,13 @@ CarriedPlan plan_carried(const Problem& problem, const Options& options, const r
   Options brief = options;
   brief.explain = false;
   const int plans = problem.fingers.start.empty() ? realize_options.plans : 1;
+  std::string last;
   int tried = 0;
   while (next.plan && !(tried > 0 && clock.is_out())) {
     const bool is_last = ++tried == plans;
     next.realization = realize(problem, next.plan, robot, carrier, q_home, realize_options,
                                rest(budget, clock, is_last ? 1 : kShare));
+    last = next.realization.reason;
     if (tried == 1) best = kept = next;
     const double scrub = scrub_of(next.realization);
     if (scrub < scrub_of(kept.realization)) kept = next;
@@ -108,7 +111,9 @@ CarriedPlan plan_carried(const Problem& problem, const Options& options, const r
       break;
     next.plan = plan(nearer, brief, rest(budget, clock, 1));
   }
-  return concluded(best, std::move(kept), tried, problem.fingers.radius);
+  if (!kept.realization) return refused(std::move(best), tried, last);
+  if (kept.plan.cost == best.plan.cost) return kept;
+  return instead(best, std::move(kept), problem.fingers.radius);
 }
 
 }  // namespace graspless::fingertip
