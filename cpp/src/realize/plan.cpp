@@ -13,8 +13,8 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kNearer = 0.9;  // of the fingertips' distance in the plan before
-constexpr double kShare = 0.5;   // of the time that is left, for a plan that is not the last
+constexpr double kNearer = 0.96;  // of the fingertips' distance in the plan before
+constexpr double kShare = 0.5;    // of the time that is left, for a plan that is not the last
 
 /// Largest distance between the centres of two fingertips that touch [m].
 double span_of(const Plan& plan, double radius) {

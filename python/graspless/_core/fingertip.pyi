@@ -1063,7 +1063,7 @@ class RealizeOptions:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8, plans: typing.SupportsInt | typing.SupportsIndex = 8, max_scrub: typing.SupportsFloat | typing.SupportsIndex = 0.0015) -> None:
+    def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8, plans: typing.SupportsInt | typing.SupportsIndex = 8, max_scrub: typing.SupportsFloat | typing.SupportsIndex = 0.0003) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -1094,7 +1094,7 @@ class RealizeOptions:
         """
         Slip of a fingertip on its contact in a segment, above which further fingertip plans are tried. If all slip as far, that with the least scrub is kept.
         
-        Unit: m. Range: [0, inf). Default: 0.0015.
+        Unit: m. Range: [0, inf). Default: 0.0003.
         """
     @max_scrub.setter
     def max_scrub(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

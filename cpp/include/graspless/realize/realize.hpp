@@ -31,7 +31,7 @@ struct RealizeOptions {
   int restarts = 40;
   int solutions = 8;
   int plans = 8;
-  double max_scrub = 1.5e-3;
+  double max_scrub = 3e-4;
 };
 
 /// Table of the members: name, unit, text, range and source.
