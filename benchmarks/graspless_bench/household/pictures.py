@@ -77,6 +77,7 @@ def film(rows: Sequence[Row], queries: Sequence[Query], directory: Path, most: i
     written = []
     for stage, query in failed[:most]:
         name = query.row["key"].replace("/", "_")
-        written.append(directory / f"{FILMED[stage]}_{name}.html")
-        measure(query, written[-1])
+        path = directory / f"{FILMED[stage]}_{name}.html"
+        measure(query, path)
+        written += [path] if path.is_file() else []
     return written

@@ -31,7 +31,7 @@ FLOOR_POSE = frames.translation([0.65, 0.0, -0.75])
 EYES = ((-0.05, 0.0, 0.75), (1.35, 0.0, 0.75))  # of the cameras: at the base, and opposite [m]
 ROOM = 0.12  # half width of the square in which objects are placed [m]
 MARGIN = 0.02  # between an object and the edge of the table [m]
-GAP = (0.03, 0.15)  # least distance between objects, and of neighbours at most [m]
+GAP = (0.03, 0.15)  # least distance between objects, and the largest of a neighbour [m]
 STEP = 0.01  # between points of a border [m]
 TRIES = 300  # of places
 _CIRCLE = np.linspace(0, 2 * math.pi, 48, endpoint=False)
@@ -126,28 +126,33 @@ def _placed(
     others: Sequence[Placed],
     rng: np.random.Generator,
 ) -> Placed | None:
-    """Returns a thing at rest within a square [m] of a table, clear of the others."""
+    """Returns a thing at rest within a square [m] of a table, beside the first of the others."""
     yaw = rng.uniform(0, 2 * math.pi)
     turned = Placed(thing, frames.planar(0.0, 0.0, yaw) @ things.dropped(thing, rng))
     border = turned.border
     middle = (border.min(axis=0) + border.max(axis=0)) / 2
-    taken = np.concatenate([other.border for other in others]) if others else None
+    taken = [other.border for other in others]
     for _ in range(TRIES):
         shift = center + rng.uniform(-room, room, size=2) - middle
         own = border + shift
-        if min(ground.depth(p) for p in own) < MARGIN or not _is_clear(own, taken):
+        if min(ground.depth(p) for p in own) < MARGIN or not _fits(own, taken):
             continue
         return Placed(thing, frames.translation([*shift, 0.0]) @ turned.X_WT)
     return None
 
 
-def _is_clear(border: Matrix, taken: Matrix | None) -> bool:
-    """Returns True if the convex hull of points is farther than GAP from others, all [m]."""
-    if taken is None:
-        return True
-    far = np.linalg.norm(border[:, None] - taken[None], axis=2).min()
-    hull = geometry.Polygon(border[ConvexHull(border).vertices])
-    return bool(far > GAP[0] and not any(hull.contains(p) for p in taken))
+def _fits(border: Matrix, others: Sequence[Matrix]) -> bool:
+    """Returns True if a border is near the first of others, and clear of all."""
+    gaps = [_gap(border, other) for other in others]
+    return all(gap > GAP[0] for gap in gaps) and all(gap < GAP[1] for gap in gaps[:1])
+
+
+def _gap(a: Matrix, b: Matrix) -> float:
+    """Returns the distance of two borders, 0 if one lies in the other [m]."""
+    for one, other in ((a, b), (b, a)):
+        if geometry.Polygon(one[ConvexHull(one).vertices]).contains(other[0]):
+            return 0.0
+    return float(np.linalg.norm(a[:, None] - b[None], axis=2).min())
 
 
 def _radius(border: Matrix) -> float:

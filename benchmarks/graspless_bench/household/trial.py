@@ -32,7 +32,7 @@ MADE_GOOD = {
     "tipped",
     "touched",
 }  # if the object is in the hand at the end
-LOST = MADE_GOOD | {"fell", "hit", "stopped"}
+LOST = {"tip_lost", "off_target", "tipped", "fell", "hit", "stopped"}
 HEAVY = 0.2  # mass of an object that nobody gave [kg]
 NEIGHBOURS = 2  # in every other trial
 # Friction and mass of the object, and flexures, that neither the cameras nor the planner know.
@@ -75,7 +75,8 @@ class Query:
         table, _ = self.dealt
         head = {"mesh": self.path.stem, "pose": self.pose, "robot": label_of(self.robot)}
         head |= {"views": self.views, "seed": self.seed, "table": table}
-        return head | {"key": "/".join(str(value) for value in head.values())}
+        keyed = {**head, "mass": self.masses.get(self.path.stem, HEAVY), "of": len(self.folder)}
+        return head | {"key": "/".join(str(value) for value in keyed.values())}
 
     @property
     def dealt(self) -> tuple[str, int]:
@@ -165,6 +166,7 @@ def _executed(
     else:
         body = scenes.truth(given, first.X_WO_start)
         result = chains.run(plan, unknown, record=record, truth=body)
+    seconds = time.perf_counter() - began
     if film is not None:
         shown = first if first.kind in ("clasp", "slide") else plan
         view.write_html(shown, film, recording=result.recording)
@@ -172,7 +174,7 @@ def _executed(
     return {
         "stage": _stage(set(failures), bool(result.measures.get("lifted"))),
         "reason": ", ".join(failures),
-        "simulate_seconds": time.perf_counter() - began,
+        "simulate_seconds": seconds,
     }
 
 

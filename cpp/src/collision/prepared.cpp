@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <list>
 #include <mutex>
 #include <optional>
@@ -13,7 +14,7 @@
 namespace graspless::collision {
 namespace {
 
-constexpr Eigen::Index kMost = 50'000;  // triangles that are kept; they take about 1 kB each
+constexpr Eigen::Index kMost = 50'000;  // triangles that are kept, or vertices; about 1 kB each
 
 /// Mixes the bytes of a matrix into a hash.
 template <class Matrix>
@@ -53,14 +54,19 @@ class Kept {
   }
 
   void add(const geometry::Mesh& mesh, std::uint64_t hash, const CollisionShape& shape) {
-    if (mesh.triangles.cols() > kMost / 2) return;  // others would have to go
+    if (size_of(mesh) > kMost / 2) return;  // others would have to go
+    std::list<Entry> added, old;            // made and destroyed while others can ask
+    added.push_back({hash, mesh, shape});
     const std::lock_guard lock(mutex_);
-    entries_.push_front({hash, mesh, shape});
-    count_ += mesh.triangles.cols();
-    for (; count_ > kMost; entries_.pop_back()) count_ -= entries_.back().mesh.triangles.cols();
+    entries_.splice(entries_.begin(), added);
+    for (count_ += size_of(mesh); count_ > kMost; count_ -= size_of(old.front().mesh))
+      old.splice(old.begin(), entries_, std::prev(entries_.end()));
   }
 
  private:
+  static Eigen::Index size_of(const geometry::Mesh& mesh) {
+    return std::max(mesh.triangles.cols(), mesh.vertices.cols());
+  }
   struct Entry {
     std::uint64_t hash;
     geometry::Mesh mesh;
@@ -68,14 +74,14 @@ class Kept {
   };
   std::mutex mutex_;
   std::list<Entry> entries_;  // the last one first
-  Eigen::Index count_ = 0;    // of triangles
+  Eigen::Index count_ = 0;
 };
 
 }  // namespace
 
 CollisionShape prepared(const geometry::Mesh& mesh,
                         const std::function<CollisionShape(const geometry::Mesh&)>& make) {
-  static Kept kept;
+  static Kept& kept = *new Kept;  // never destroyed: a thread may still plan when others end
   const std::uint64_t hash = hash_of(mesh);
   if (std::optional<CollisionShape> found = kept.find(mesh, hash)) return *std::move(found);
   CollisionShape shape = make(mesh);

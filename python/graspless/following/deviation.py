@@ -87,7 +87,7 @@ class Deviation:
         """Returns True if the deviation is more than `times` what is corrected in place.
 
         It is that of the object from its path in contact, else the shift of the hand that is
-        needed.
+        needed. An angle that the hand cannot change is never more than the grasp allows for.
         """
         planned = self.course.place()
         needed = plane.turned(self.motion, self.pivot, self.error)
@@ -95,10 +95,11 @@ class Deviation:
         most, turned = settings.correct, settings.correct_angle
         if self.course.name in ("reach", "grasp"):
             most, turned = settings.grasp_correct, settings.grasp_correct_angle
+        turned *= times
         if self.course.name in IN_CONTACT:
             off = self.error
             turned = settings.grasp_correct_angle if self._turns_in_vain(settings) else turned
-        return bool(np.hypot(*off[:2]) > times * most or abs(off[2]) > times * turned)
+        return bool(np.hypot(*off[:2]) > times * most or abs(off[2]) > turned)
 
     def _turns_in_vain(self, settings: Settings) -> bool:
         """Returns True if the hand has turned as far as it may, and the object did not follow.

@@ -252,8 +252,11 @@ class Follower:
                 self._resume()
             else:
                 self._restart = _ELSEWHERE
-        goes_on = name in IN_CONTACT and not deviation.is_large(self.settings, _HOPELESS)
-        return deviation.bounded_step(self.settings) if goes_on else np.zeros(3), rise
+        deviation = self._deviation  # from a new plan, if one was found
+        halts = self._restart or self._is_braking or name not in IN_CONTACT
+        if halts or deviation.is_large(self.settings, _HOPELESS):
+            return np.zeros(3), rise
+        return deviation.bounded_step(self.settings), rise
 
     @property
     def is_done(self) -> bool:
@@ -292,7 +295,7 @@ class Follower:
         self._is_braking = False
         if plan is None:
             is_hopeless = at_rest or self._deviation.is_large(self.settings, _HOPELESS)
-            self._restart, self._reason = fault if is_hopeless else "", fault
+            self._restart = fault if is_hopeless else ""
         elif not (at_rest or goes_on(plan.segments[0], self._motion.velocity)):
             self._is_braking = True
         else:

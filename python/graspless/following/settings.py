@@ -28,10 +28,10 @@ class Settings:
     correct, correct_angle : float
         Deviations of the object up to which the path of the hand is shifted in place [m, rad].
         Beyond them the slide is planned anew.
-    shift, shift_angle : float
-        Largest shift of the hand's path while it slides the object [m, rad].
     grasp_correct, grasp_correct_angle : float
         The same, of the object on which the hand closes [m, rad].
+    shift, shift_angle : float
+        Largest shift of the hand's path while it slides the object [m, rad].
     stand_off : float
         Distance that the hand keeps from the object while it reaches, beyond the plan's [m].
     gain : float
@@ -78,10 +78,10 @@ class Settings:
     look_seconds: float = 2.0
     correct: float = 0.006
     correct_angle: float = 0.105
-    shift: float = 0.02
-    shift_angle: float = 0.25
     grasp_correct: float = 0.012
     grasp_correct_angle: float = 0.21
+    shift: float = 0.02
+    shift_angle: float = 0.25
     stand_off: float = 0.006
     gain: float = 3.0
     speed: float = 0.015

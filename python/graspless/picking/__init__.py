@@ -78,7 +78,7 @@ def pick(
     respect : str
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
-        Mass of the object [kg]: needed to tumble and push it, otherwise for simulations alone.
+        Mass of the object [kg]: needed to tumble and push it. Walls and slides count with it, too.
     grip_force : float, optional
         Force of each finger of the hand when it pinches [N]. Otherwise that of half the effort
         limits of the joints that close it; walls are not pinched by a hand without such limits.
@@ -143,7 +143,8 @@ def _search(
 ) -> None:
     """Tries the strategies until there are `best_of` plans, and keeps the shortest one.
 
-    While there is none, those whose searches ran out of their time go on with other seeds.
+    While there is none, those whose searches ran out of their time are tried again with other
+    seeds.
     """
     plans: list[tuple[Plan, str]] = []
     asked = found.attempts

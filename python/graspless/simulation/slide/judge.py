@@ -25,14 +25,15 @@ FAILURES = {
     "tipped": "the object tilted over the table's edge",
     "fell": "the object fell off the table",
     "hit": "two bodies touched that must not",
-    "touched": "the palm, or another part of the hand but its fingers, touched the object before "
-    "the hand was there to grasp it",
+    "touched": "the palm, or any part of the hand other than the fingers, touched the object "
+    "before the hand was there to grasp it",
     "not_grasped": "the hand closed without grasping the object",
     "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
     "dropped": "the object fell out of the hand during lift or hold",
     "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
 }
 _BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
+_AWAY = ("approach", "press", "slide", "lift", "reach", "retreat", "stop")  # only fingers may touch
 
 
 @dataclass
@@ -52,7 +53,7 @@ class Judge:
     def __post_init__(self) -> None:
         model = self.scene.model
         self._kind = np.zeros(model.ngeom, dtype=int)  # 0: the arm and the hand
-        order = (OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD, SLIDING, OTHER, NEIGHBOUR, HAND)
+        order = (HAND, OBJECT, TABLE, OBSTACLE, FOOT, EDGE, PAD, SLIDING, OTHER, NEIGHBOUR)
         code = {what: i for i, what in enumerate(order, start=1)}
         for what in order:
             self._kind[self.scene.groups[what]] = code[what]
@@ -74,7 +75,7 @@ class Judge:
     def look(self, data: Any, phase: str) -> None:
         """Records the failures of the current state."""
         a, b = self._kinds(data)
-        grasps = phase not in _BEFORE_GRASP or phase == "grasp"
+        grasps = phase not in _AWAY
         self._allowed[self._rest, self._object] = self._allowed[self._object, self._rest] = grasps
         for index in np.flatnonzero(~self._allowed[a, b]):
             by_hand = {int(a[index]), int(b[index])} == {self._rest, self._object}
@@ -138,8 +139,9 @@ class Judge:
         return self._kind[geoms[touching, 0]], self._kind[geoms[touching, 1]]
 
     def _note_contact(self, data: Any, index: int, failure: str) -> None:
+        is_first = failure not in self.failures and (failure == "hit" or self.touched is None)
         self.note(failure)
-        if self.touched is None:
+        if is_first:
             geoms = data.contact.geom[data.contact.dist < 0][index]
             model = self.scene.model
             bodies = [model.body(model.geom_bodyid[g]).name for g in geoms]

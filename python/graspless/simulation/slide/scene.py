@@ -68,8 +68,8 @@ def build_scene(
 ) -> Scene:
     """Makes the varied model of the task of a plan.
 
-    `obstacles` replace those of the task, and `truth` its object and them. The object may touch the
-    obstacle `standing` as it touches the table.
+    `obstacles` replace those of the task, and `truth` its object and them, except the obstacle
+    `standing`, which the object may touch as it touches the table.
     """
     settings = settings or Slide()
     problem = plan.task.problem
@@ -257,9 +257,14 @@ def _groups(model: Any, hand: slide.Hand) -> dict[str, Any]:
 
 
 def _links_of_hand(model: Any, hand: slide.Hand) -> set[str]:
-    """Returns the nearest link that carries all fingers, and all links that it carries."""
+    """Returns the nearest link that carries all fingers, and all links that it carries.
+
+    Nothing if that is the world.
+    """
     above = [_chain(model, model.body(name).id) for name in hand.fingers]
     palm = next(i for i in above[0] if all(i in other for other in above))
+    if palm == 0:
+        return set()
     return {model.body(i).name for i in range(model.nbody) if palm in _chain(model, i)}
 
 
