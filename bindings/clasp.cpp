@@ -466,6 +466,8 @@ void bind_plan(py::module_& m) {
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(Field{"loop", &Plan::loop,
               "Index of the clasped loop in object.loops.found; -1 without a plan."});
+  field(Field{"fingers", &Plan::fingers,
+              "Names of the fingers that clasp the loop together with the thumb."});
   field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
   field(Field{"min_linking", &Plan::min_linking,
               "Threshold of virtual linking that the plan fulfils."});

@@ -126,6 +126,7 @@ def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
         (lambda d: d["tree"]["path"].append(10**6), "names a node beyond"),
         (lambda d: d["segments"][0]["virtual_linking"].pop(), "one per row is needed"),
         (lambda d: d["segments"][0]["virtual_linking"][0].pop(), "rows of .1, 2. curves"),
+        (lambda d: d["fingers"].pop(), "2 curves, and there are 1 fingers"),
         (lambda d: d["segments"][0]["positions"][0].pop(), "row 0 of segment 'reach' has 11"),
         (lambda d: d["segments"][0]["object_poses"][0].__setitem__(3, 2.0), "not of unit length"),
         (lambda d: d["task"].pop("object"), "object: missing"),

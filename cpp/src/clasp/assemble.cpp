@@ -9,8 +9,10 @@
 #include "graspless/watch.hpp"
 
 #include "clasp/center.hpp"
+#include "clasp/grip.hpp"
 #include "clasp/parameters.hpp"
 #include "clasp/search/task_space.hpp"
+#include "clasp/squeeze.hpp"
 
 namespace graspless::clasp {
 
@@ -173,12 +175,10 @@ void remember_escape(Query& query, int loop, const Clasp& clasp) {
   query.best_ring = certificate(query.problem, query.best_closed, query.best_loop, bound);
 }
 
-/// Closes the hand at the end of the reach. Returns why the clasp is refused; empty if it is not.
-std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
-  close_centered(query, clasp.reach, clasp.close);
+/// Tests a closed hand. Returns why the clasp is refused; empty if it is not.
+std::string test_closed(Query& query, LoopSearch& search, Clasp& clasp) {
   const Eigen::VectorXd& q = clasp.close.back();
-  if (search.linking(q).minCoeff() < search.task().options.min_linking)
-    return "clasp: a finger loses the loop while it closes";
+  if (!search.is_clasped(q)) return "clasp: a finger loses the loop while it closes";
   const geometry::ClaspTarget* held = search.held_target_W(q);
   if (!held) return "clasp: away from every target";
   clasp.target_W = *held;
@@ -207,9 +207,21 @@ void warn_of_thick_handles(const Problem& problem,
   }
 }
 
+/// Closes the hand at the end of the reach, and closer if the object comes free of it and the hole
+/// is small. Returns why the clasp is refused; empty if it is not.
+std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
+  close_centered(query, clasp.reach, clasp.close);
+  const std::string why = test_closed(query, search, clasp);
+  const bool may_squeeze =
+      why == kNotSecure && is_small(query.problem, search.task().loop, query.width);
+  if (!may_squeeze || !squeeze(search, clasp.reach, clasp.close)) return why;
+  return test_closed(query, search, clasp);
+}
+
 }  // namespace
 
-std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
+std::optional<Clasp> close_clasp(LoopSearch& search) {
+  Query& query = search.query();
   for (const bool squared : {false, true}) {
     Clasp clasp;
     clasp.reach = search.path();
@@ -225,7 +237,8 @@ std::optional<Clasp> close_clasp(Query& query, LoopSearch& search) {
   return std::nullopt;
 }
 
-void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
+void assemble(LoopSearch& search, Clasp clasp, Plan& plan) {
+  Query& query = search.query();
   const Problem& problem = query.problem;
   const LoopTask& task = search.task();
   TaskSpace task_space(problem.robot, problem.hand, task.points_W, task.targets_W);
@@ -236,6 +249,7 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   plan.segments = {segment("reach", pruned(query, std::move(clasp.reach)), task_space, weights),
                    segment("close", clasp.close, task_space, weights)};
   plan.loop = task.loop;
+  for (const Finger& finger : problem.hand.fingers) plan.fingers.push_back(finger.name);
   const Eigen::Isometry3d X_OW = problem.X_WO.inverse();
   plan.target = {X_OW * clasp.target_W.point, X_OW.linear() * clasp.target_W.tangent};
   plan.min_linking = task.options.min_linking;
@@ -245,13 +259,27 @@ void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan) {
   plan.status = Status::solved;  // last: the clock may end the pruning
 }
 
+void Query::add(const Query& other) {
+  const Statistics& s = other.statistics;
+  statistics.stability_seconds += s.stability_seconds;
+  statistics.stability_tests += s.stability_tests;
+  statistics.collision_checks += other.free.num_checks();
+  statistics.fcl_checks += other.free.num_fcl_checks();
+  for (const auto& [why, times] : s.refusals) statistics.refusals[why] += times;
+  most_withstood = std::max(most_withstood, other.most_withstood);
+  num_escaped += other.num_escaped;
+  if (other.best_margin <= best_margin) return;
+  best_margin = other.best_margin;
+  best_ring = other.best_ring;
+}
+
 void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,
               Plan& plan) {
   Statistics& s = plan.statistics;
   s = query.statistics;
   s.seconds = query.clock.seconds();
-  s.collision_checks = query.free.num_checks();
-  s.fcl_checks = query.free.num_fcl_checks();
+  s.collision_checks += query.free.num_checks();
+  s.fcl_checks += query.free.num_fcl_checks();
   for (const auto& search : searches) {
     s.cycles += search->planner().num_cycles();
     s.nodes += search->planner().num_nodes_grown();

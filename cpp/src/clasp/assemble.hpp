@@ -17,10 +17,10 @@ struct Clasp {
 
 /// Closes the fingers until contact and tests the stability. Returns nothing if the clasp is
 /// rejected, and counts the reason.
-std::optional<Clasp> close_clasp(Query& query, LoopSearch& search);
+std::optional<Clasp> close_clasp(LoopSearch& search);
 
 /// Writes a clasp into the plan: prunes the path, and adds rows, virtual linking and the tree.
-void assemble(Query& query, const LoopSearch& search, Clasp clasp, Plan& plan);
+void assemble(LoopSearch& search, Clasp clasp, Plan& plan);
 
 /// Writes the statistics into the plan, and a reason if it has none yet.
 void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,

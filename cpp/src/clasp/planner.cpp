@@ -5,8 +5,10 @@
 // loop, closes the fingers, and tests the stability. Margins name the paper's sections.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "clasp/assemble.hpp"
+#include "clasp/grip.hpp"
 #include "clasp/query.hpp"
 #include "clasp/search/hole.hpp"
 #include "clasp/search/loop_search.hpp"
@@ -92,7 +94,8 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
   const double before = clock.seconds();
   clock.run([&] {
     plan.certificate =
-        certificate(problem, plan.segments.back().positions.back(), plan.loop, options.certificate);
+        certificate(Grip(problem, options, plan.fingers).problem,
+                    plan.segments.back().positions.back(), plan.loop, options.certificate);
   });
   if (!plan.certificate)
     plan.warnings.push_back("no time was left for the certificate of the clasp");
@@ -100,32 +103,69 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
   plan.statistics.seconds = clock.seconds();
 }
 
+/// Searches for clasps with fewer fingers, of loops around holes that are small for the hand. A
+/// hand that has clasped nothing in kPatience cycles a loop tries these, too.
+class FewerFingers {
+ public:
+  static constexpr std::size_t kPatience = 20;
+
+  void add_to(std::vector<std::unique_ptr<LoopSearch>>& searches, Query& all,
+              const Eigen::VectorXd& q_init) {
+    Problem problem = all.problem;
+    problem.loops.clear();
+    for (const int loop : allowed_loops(all.problem)) {
+      if (is_small(problem, loop, all.width)) problem.loops.push_back(loop);
+    }
+    if (problem.loops.empty()) return;
+    for (const auto& fingers : fewer_fingers(problem.hand)) {
+      const Grip& grip = grips_.emplace_back(problem, all.options, fingers);
+      Query& query =
+          queries_.emplace_back(grip.problem, grip.options, all.clock, all.rng(), all.width);
+      Plan unused;  // for reasons why there is no target
+      for (const LoopTask& task : choose_targets(query, q_init, unused))
+        searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
+    }
+  }
+  void report_to(Query& all) const {
+    for (const Query& query : queries_) all.add(query);
+  }
+
+ private:
+  std::deque<Grip> grips_;  // deques, as queries and searches keep references
+  std::deque<Query> queries_;
+};
+
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
               std::uint64_t seed) {
   validate(problem);
   validate(options);
   require_efforts(problem, options.stability);
   if (problem.object.loops().found.empty()) return without_hole(problem, clock);
-  Query query(problem, options, clock, seed);
+  Query query(problem, options, clock, seed, hand_width(problem));
   Plan plan;
   warn_of_missing_limits(problem, options, plan);
+  FewerFingers fewer;
   std::vector<std::unique_ptr<LoopSearch>> searches;
+  Eigen::VectorXd q_init;
   if (is_start_free(query, plan)) {
-    const Eigen::VectorXd q_init = opened(query, plan);
+    q_init = opened(query, plan);
     for (const LoopTask& task : choose_targets(query, q_init, plan)) {  // IV-A: S and G_gamma
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
   if (!searches.empty()) problem.object.outer_clearance();  // now: a failed search has no time left
+  const std::size_t patience = FewerFingers::kPatience * searches.size();
   clock.run([&] {
     for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
+      if (turn == patience) fewer.add_to(searches, query, q_init);
       LoopSearch& search = *searches[turn % searches.size()];
-      while (!plan && search.cycle()) {                               // IV-D: Algorithm 1
-        std::optional<Clasp> clasp = close_clasp(query, search);      // IV-D: until contact occurs
-        if (clasp) assemble(query, search, std::move(*clasp), plan);  // IV-D: path pruning
+      while (!plan && search.cycle()) {                        // IV-D: Algorithm 1
+        std::optional<Clasp> clasp = close_clasp(search);      // IV-D: until contact occurs
+        if (clasp) assemble(search, std::move(*clasp), plan);  // IV-D: path pruning
       }
     }
   });  // counters and reason stay if the time ends in the middle of a test
+  fewer.report_to(query);
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);
   return plan;

@@ -23,11 +23,13 @@ constexpr const char* kForcedOpen = "clasp: forced open by the load";
 
 /// State of one call of plan().
 struct Query {
-  Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed)
-      : problem(problem), options(options), clock(clock), rng(seed), free(problem) {}
+  Query(const Problem& problem, const Options& options, planning::Clock& clock, std::uint64_t seed,
+        double width = 0)
+      : problem(problem), options(options), width(width), clock(clock), rng(seed), free(problem) {}
 
   const Problem& problem;
   const Options& options;
+  const double width;  ///< of the whole hand [m]
   planning::Clock& clock;
   std::mt19937_64 rng;
   FreeSpace free;
@@ -43,6 +45,9 @@ struct Query {
   int best_loop = 0;            ///< its loop
   int next_ring = 4;            ///< number of them before the next ring is computed
   Certificate best_ring;        ///< of the one with the best margin then
+
+  /// Adds the counters of another query with the same object, and what it knows better.
+  void add(const Query& other);
 
   /// Test of pinches, made at its first use.
   PinchTester& pinching() {

@@ -934,6 +934,14 @@ class Plan:
     def certificate(self, arg0: Certificate | None) -> None:
         ...
     @property
+    def fingers(self) -> tuple[str, ...]:
+        """
+        Names of the fingers that clasp the loop together with the thumb.
+        """
+    @fingers.setter
+    def fingers(self, arg1: collections.abc.Sequence[str]) -> None:
+        ...
+    @property
     def joint_names(self) -> tuple[str, ...]:
         """
         The robot's joints, in the order of positions.

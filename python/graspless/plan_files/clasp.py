@@ -130,6 +130,11 @@ class ClaspPlanFile(PlanFields):
     loop: Index | None = Field(
         default=None, description="index of the clasped loop; 0 is the shortest"
     )
+    fingers: list[str] = Field(
+        default_factory=list,
+        description="names of the fingers that clasp the loop together with the thumb, one per "
+        "curve of virtual_linking; none: all of the hand",
+    )
     target: Target | None = Field(default=None, description="place on the clasped loop")
     min_linking: NotNegative = Field(description="threshold of virtual linking")
     stability: Stability | None = Field(default=None, description="result at the last row")
@@ -152,6 +157,9 @@ class ClaspPlanFile(PlanFields):
         curves = {len(row) for segment in self.segments for row in segment.virtual_linking}
         if len(curves) > 1:
             raise ValueError(f"virtual_linking has rows of {sorted(curves)} curves")
+        if self.fingers and curves - {len(self.fingers)}:
+            counts = f"{curves.pop()} curves, and there are {len(self.fingers)} fingers"
+            raise ValueError(f"virtual_linking has {counts}")
         for segment in self.segments:
             where = f"segment '{segment.name}'"
             require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))

@@ -23,6 +23,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "loop": plan.loop,
         "loops": len(plan.task.problem.object.loops.found),
         "target": _target(plan),
+        "fingers": _fingers(plan),
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
         "stability": _stability(plan),
@@ -117,8 +118,10 @@ def _ends(plan: Plan) -> dict[str, float]:
     rows = [segment.virtual_linking for segment in plan.segments if len(segment)]
     if not rows:
         return {}
-    fingers = plan.task.problem.hand.fingers
-    return {
-        finger.name: float(value)
-        for finger, value in zip(fingers, np.asarray(rows[-1])[-1], strict=True)
-    }
+    ends = np.asarray(rows[-1])[-1]
+    return {name: float(value) for name, value in zip(_fingers(plan), ends, strict=True)}
+
+
+def _fingers(plan: Plan) -> list[str]:
+    """Returns the names of the fingers that clasp; files of older versions have none."""
+    return list(plan.fingers) or [finger.name for finger in plan.task.problem.hand.fingers]

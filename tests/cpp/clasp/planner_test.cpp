@@ -211,6 +211,27 @@ TEST(ClaspPlan, SaysThatAHandleIsTooThick) {
       << plan.warnings[0];
 }
 
+// The hole is 60 mm wide, and the two fingers of the hand 93 mm.
+TEST(ClaspPlan, ASmallHoleIsClaspedWithOneFinger) {
+  Problem problem = ring_problem();
+  problem.object = Object::from_cloud("small ring", ring_cloud(0.045, 0.03));
+  Plan plan = clasp::plan(problem, {}, cycles(200));
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  ASSERT_EQ(plan.fingers.size(), 1u);
+  EXPECT_EQ(plan.segments[1].virtual_linking.rows(), 1);
+  EXPECT_TRUE(plan.stability.secure);
+  EXPECT_EQ(check(problem, plan), std::vector<std::string>{});
+  plan.fingers[0] = plan.fingers[0] == "finger_1" ? "finger_2" : "finger_1";
+  EXPECT_NE(check(problem, plan), std::vector<std::string>{});
+  plan.fingers[0] = "finger_3";
+  EXPECT_EQ(check(problem, plan),
+            std::vector<std::string>{"plan: its fingers are not fingers of the hand"});
+}
+
+TEST(ClaspPlan, AllFingersOfTheHandClaspALargeHole) {
+  EXPECT_EQ(ring_plan().fingers, (std::vector<std::string>{"finger_1", "finger_2"}));
+}
+
 TEST(ClaspPlan, RefusesBadOptionsByName) {
   const auto refuses = [](auto spoil, const std::string& words) {
     Options options;

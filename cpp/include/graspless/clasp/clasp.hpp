@@ -117,7 +117,10 @@ struct Plan {
   std::string reason;  ///< explanation of the status in one sentence
   std::vector<std::string> joint_names;
   std::vector<Segment> segments;
-  int loop = -1;                 ///< index of the clasped loop in object.loops().found
+  int loop = -1;  ///< index of the clasped loop in object.loops().found
+  /// Names of the fingers that clasp it together with the thumb. In a small hole these may be fewer
+  /// than the hand has; the others close, too, but are not linked with the loop.
+  std::vector<std::string> fingers;
   geometry::ClaspTarget target;  ///< target that the hand holds, in O
   double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row

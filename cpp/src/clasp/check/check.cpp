@@ -27,7 +27,11 @@ std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
 }  // namespace
 
 PlanChecker::PlanChecker(const Problem& problem, const Plan& plan, const Options& options)
-    : problem_(problem), plan_(plan), options_(options), replay_(problem.robot) {
+    : grip_(problem, options, plan.fingers),
+      problem_(grip_.problem),
+      plan_(plan),
+      options_(grip_.options),
+      replay_(problem.robot) {
   replay_.world().set_pose(replay_.add("object", problem.object.solid(), false), problem.X_WO);
   for (const Obstacle& obstacle : problem.obstacles) replay_.add(obstacle);
 }
@@ -61,6 +65,10 @@ bool PlanChecker::is_complete() {
     fault("plan", "joint names are not the robot's");
   if (plan_.segments.size() != 2 || reach().name != "reach" || close().name != "close") {
     fault("plan", "segments are not reach, close");
+    return false;
+  }
+  if (!plan_.fingers.empty() && problem_.hand.fingers.size() != plan_.fingers.size()) {
+    fault("plan", "its fingers are not fingers of the hand");
     return false;
   }
   const auto& loops = problem_.object.loops().found;

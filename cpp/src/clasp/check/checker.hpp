@@ -8,6 +8,7 @@
 
 #include "graspless/clasp/clasp.hpp"
 
+#include "clasp/grip.hpp"
 #include "scene/replay.hpp"
 
 /// check(): one function per property of a plan. The formulas are implemented independently of the
@@ -72,6 +73,7 @@ class PlanChecker {
   void check_pinch();
   void check_certificate();
 
+  const Grip grip_;  // the fingers that the plan says
   const Problem& problem_;
   const Plan& plan_;
   const Options& options_;

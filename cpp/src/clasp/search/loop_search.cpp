@@ -115,10 +115,8 @@ void LoopSearch::make_planner() {
       });
   planner_->set_random_task(
       [this](std::mt19937_64& rng, Eigen::VectorXd& x) { draw_task(rng, x); });
-  planner_->set_tolerance([this](const Eigen::VectorXd&, const Eigen::VectorXd& x) {
-    // A derived threshold applies to the closed hand only.
-    return query_.options.min_linking > 0 ? x[4] >= task_.options.min_linking : x[4] > 0;
-  });
+  planner_->set_tolerance(
+      [this](const Eigen::VectorXd&, const Eigen::VectorXd& x) { return is_enough(x[4]); });
 }
 
 Eigen::VectorXd LoopSearch::project(const Eigen::VectorXd& q) {
@@ -170,9 +168,15 @@ void LoopSearch::tighten(planning::Path& path) {
   }
 }
 
-const Eigen::VectorXd& LoopSearch::linking(const Eigen::VectorXd& q) {
-  task_space_.project(q);
-  return task_space_.linking_of_curves();
+bool LoopSearch::is_linked(const Eigen::VectorXd& q) { return is_enough(project(q)[4]); }
+
+/// A derived threshold applies to the closed hand only.
+bool LoopSearch::is_enough(double linking) const {
+  return query_.options.min_linking > 0 ? linking >= task_.options.min_linking : linking > 0;
+}
+
+bool LoopSearch::is_clasped(const Eigen::VectorXd& q) {
+  return project(q)[4] >= task_.options.min_linking;
 }
 
 const geometry::ClaspTarget* LoopSearch::held_target_W(const Eigen::VectorXd& q) {

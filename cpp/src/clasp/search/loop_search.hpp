@@ -30,9 +30,11 @@ class LoopSearch {
   /// alone.
   planning::Path path();
   Tree tree() const;
-  /// |VLk| of every finger curve at q.
-  const Eigen::VectorXd& linking(const Eigen::VectorXd& q);
+  /// True if every finger curve is linked enough at q for the hand to close, or with a closed hand.
+  bool is_linked(const Eigen::VectorXd& q);
+  bool is_clasped(const Eigen::VectorXd& q);
 
+  Query& query() { return query_; }
   const LoopTask& task() const { return task_; }
   /// Target held by the hand at q: the nearest one, if closer than half the longest finger curve,
   /// else null.
@@ -44,6 +46,7 @@ class LoopSearch {
   void make_planner();
   Eigen::VectorXd project(const Eigen::VectorXd& q);
   const geometry::ClaspTarget& reached_W() const;
+  bool is_enough(double linking) const;
   void tighten(planning::Path& path);
   void draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const;
 

@@ -134,13 +134,13 @@ def _inset(figure: Any, place: Any) -> Any:
 def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
     """Draws the virtual linking of every finger curve at each row, and the threshold."""
     found = linking(plan)
-    fingers = plan.task.problem.hand.fingers
+    fingers = plan.fingers or [finger.name for finger in plan.task.problem.hand.fingers]
     rows = np.arange(len(found))
     first = len(plan.segments[0])
     axes.axvspan(first - 0.5, len(found) - 1, color="#f1e8da", lw=0, zorder=0)
     blues = [(0.12, 0.40, 0.85), (0.45, 0.25, 0.75), (0.10, 0.60, 0.65), (0.35, 0.45, 0.55)]
     for k in range(found.shape[1]):
-        name = fingers[k].name.replace("_", " ")
+        name = fingers[k].replace("_", " ")
         axes.plot(rows, found[:, k], lw=1.9, color=blues[k % len(blues)], label=name)
     axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="least allowed")
     late = first > 0.85 * len(found)
