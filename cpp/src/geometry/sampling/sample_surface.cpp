@@ -9,6 +9,7 @@
 #include "graspless/geometry/sampling.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/sampling/darts.hpp"
 #include "geometry/sampling/hilbert_order.hpp"
 #include "geometry/sampling/interior.hpp"
 #include "geometry/sampling/sample_elimination.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 // Candidates per requested point, as Yuksel proposes.
 constexpr int kCandidates = 5;
+// Larger clouds are spread a little less evenly, in a tenth of the time.
+constexpr int kLarge = 100'000;
 // Largest number of draws per candidate. The others lie inside a shape.
 constexpr int kMaxDraws = 2000;
 // Points are tested this far outside their shape [m], so that touching faces do not count as outer.
@@ -54,7 +57,6 @@ class Surface {
       if (!is_outside(point, shape)) continue;
       candidates.points.col(found++) = point.p_B;
     }
-    candidates.points = in_hilbert_order(candidates.points);
     candidates.area = area_ * count / static_cast<double>(num_draws);
     return candidates;
   }
@@ -96,8 +98,13 @@ Eigen::Matrix3Xd sample_surface(const std::vector<PlacedShape>& shapes, int coun
     require_pose(shapes[i].X_BG, what + ".X_BG");
   }
   std::mt19937_64 rng(seed);
-  const Candidates candidates = Surface(shapes).draw(kCandidates * count, rng);
-  const std::vector<int> kept = eliminate_samples(candidates.points, count, candidates.area);
+  Candidates candidates = Surface(shapes).draw(kCandidates * count, rng);
+  const bool is_large = count > kLarge;
+  candidates.points =
+      is_large ? in_cell_order(candidates.points) : in_hilbert_order(candidates.points);
+  const std::vector<int> kept = is_large
+                                    ? throw_darts(candidates.points, count, candidates.area)
+                                    : eliminate_samples(candidates.points, count, candidates.area);
   Eigen::Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
     points.col(i) = candidates.points.col(kept[static_cast<std::size_t>(i)]);

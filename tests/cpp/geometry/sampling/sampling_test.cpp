@@ -53,6 +53,17 @@ TEST(SampleSurface, LiesOnASphereAndFillsItEvenly) {
   EXPECT_LT(gaps.maxCoeff(), 1.2 * apart);
 }
 
+TEST(SampleSurface, ManyPointsAreEvenToo) {
+  constexpr int kCount = 100'001;
+  const Eigen::Matrix3Xd points = sample_surface({{Sphere{0.5}}}, kCount);
+  ASSERT_EQ(points.cols(), kCount);
+  EXPECT_EQ(points, sample_surface({{Sphere{0.5}}}, kCount));
+  EXPECT_LT((points.colwise().norm().array() - 0.5).abs().maxCoeff(), 1e-12);
+  EXPECT_LT(points.rowwise().mean().norm(), 0.002);
+  const double apart = std::sqrt(2 / std::sqrt(3.0) * kPi / kCount);
+  EXPECT_NEAR(spacing(points), 0.75 * apart, 0.15 * apart);
+}
+
 TEST(SampleSurface, CoversEveryFaceOfABoxByItsArea) {
   const Eigen::Vector3d size(0.3, 0.2, 0.1);
   const int count = 2200;
