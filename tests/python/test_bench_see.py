@@ -92,3 +92,21 @@ def test_openings_are_those_that_lines_pass():
     ball = trimesh.creation.icosphere(2, 0.05)
     solid = Openings(geometry.Mesh(ball.vertices, ball.faces.astype(np.int32)))
     assert not solid.has(around)
+
+
+def test_plans_are_timed_from_the_images_on(capsys, tmp_path, monkeypatch):
+    from graspless_bench.see import plans
+
+    monkeypatch.setattr(plans, "CARDS", 1)
+    monkeypatch.setattr(plans, "NAMES", ("bucket",))
+    monkeypatch.setitem(plans.POSES, "purse", plans.POSES["purse"][:1])
+    assert main(["bench", "see", "--grid", "plans", "--out", str(tmp_path), "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)["plans"]
+    assert [(row["name"], row["views"]) for row in rows] == [
+        ("slide", 1), ("slide", 2), ("clasp", 1), ("clasp", 2),
+    ]  # fmt: skip
+    for row in rows:
+        assert row["trials"] == row["checked"] == 1
+        stages = sum(row[stage] for stage in plans.STAGES)
+        assert row["seconds"] == row["p90"] == pytest.approx(stages)
+    assert "| slide | 1 | 1 | 1 |" in (tmp_path / "see.md").read_text()

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from graspless import geometry
 
-GRIDS = ("outlines", "holes")
+GRIDS = ("outlines", "holes", "plans")
 
 
 def add_parser(experiments: Any) -> None:
@@ -30,7 +30,8 @@ def add_parser(experiments: Any) -> None:
         description="Renders objects on a table, as a depth camera sees them, and compares what is "
         "perceived with the truth. Grid outlines: each object lying, from two sides, with three "
         "levels of noise. Grid holes: nine kinds of objects standing, from eight sides, with five "
-        "levels of noise; loops around no hole are wrong.",
+        "levels of noise; loops around no hole are wrong. Grid plans: times from images to "
+        "slides and clasps that are checked.",
     )
     parser.add_argument(
         "folder",
@@ -53,14 +54,16 @@ def add_parser(experiments: Any) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
-    from . import holes, report, run
+    from . import holes, plans, report, run
 
-    named = _named(options)
+    named = {} if options.grid == "plans" else _named(options)
     if options.out is not None:
         check_writable(options.out)
     load = os.getloadavg()
-    bar = Bar(f"bench see, {options.grid}", len(named))
-    if options.grid == "holes":
+    bar = Bar(f"bench see, {options.grid}", len(named) or plans.count())
+    if options.grid == "plans":
+        result = report.of_plans(plans.run(bar.tell), load)
+    elif options.grid == "holes":
         result = report.of_holes(holes.run(list(named), bar.tell), load)
     else:
         rows = run.run(named, options.poses, options.seed, bar.tell)

@@ -44,7 +44,7 @@ def run(names: list[str], tell: Callable[[int], object] = lambda done: None) -> 
     rows: list[Row] = []
     for i, name in enumerate(names):
         shape = own.by_name()[name]
-        mesh = _standing(own.mesh_of(shape))
+        mesh = standing(own.mesh_of(shape))
         openings = Openings(mesh)
         for side in range(SIDES):
             for noise in NOISES:
@@ -53,7 +53,7 @@ def run(names: list[str], tell: Callable[[int], object] = lambda done: None) -> 
     return rows
 
 
-def _standing(mesh: geometry.Mesh) -> geometry.Mesh:
+def standing(mesh: geometry.Mesh) -> geometry.Mesh:
     """Returns a mesh as it is, on the plane z = 0 about the z axis."""
     points = np.asarray(mesh.vertices)
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
@@ -149,4 +149,4 @@ def tables(rows: list[Row]) -> dict[str, list[Row]]:
     return result
 
 
-__all__ = ["NAMES", "run", "tables"]
+__all__ = ["NAMES", "run", "standing", "tables"]

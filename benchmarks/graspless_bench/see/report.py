@@ -13,7 +13,7 @@ import numpy as np
 from .. import machine, memory
 from ..pages import circumstances, template
 from ..tables import aligned, markdown
-from . import holes
+from . import holes, plans
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -23,12 +23,17 @@ if TYPE_CHECKING:
     from ..tables import Column
 
 VISIBLE = 3  # times the noise: what is thicker must be found
-FILES = ("see", "see_own", "see_holes")  # of results, in the order of the page
+FILES = ("see", "see_own", "see_holes", "see_plans")  # of results, in the order of the page
 
 
 def of_holes(rows: list[Row], load: Sequence[float]) -> Row:
     """Returns all of a run of the grid holes. `load`: load averages before it."""
     return {"bench": "see", "file": FILES[2], **holes.tables(rows), **_circumstances(rows, load)}
+
+
+def of_plans(rows: list[Row], load: Sequence[float]) -> Row:
+    """Returns all of a run of the grid plans. `load`: load averages before it."""
+    return {"bench": "see", "file": FILES[3], **plans.tables(rows), **_circumstances(rows, load)}
 
 
 def _circumstances(rows: list[Row], load: Sequence[float]) -> Row:
@@ -148,10 +153,23 @@ HOLES: list[Column] = [
     ("time [ms]", _number("seconds", 1000, 0)),
 ]
 NOISES = [column for column in HOLES if column[0] != "holes"]
+PLANS: list[Column] = [
+    ("views", lambda row: str(row["views"])),
+    ("trials", lambda row: str(row["trials"])),
+    ("planned and checked", lambda row: str(row["checked"])),
+    ("perceive [ms]", _number("perceive", 1000, 1)),
+    ("problem [ms]", _number("problem", 1000, 1)),
+    ("plan [ms]", _number("plan", 1000, 1)),
+    ("check [ms]", _number("check", 1000, 1)),
+    ("all, p50 [ms]", _number("seconds", 1000, 0)),
+    ("all, p90 [ms]", _number("p90", 1000, 0)),
+]
 
 
 def _tables(result: Row) -> dict[str, tuple[str, list[Row], list[Column]]]:
     """Returns the tables of a result: title, rows and columns by name."""
+    if "plans" in result:
+        return {"plans": ("kind", result["plans"], PLANS)}
     if "objects" in result:
         return {
             "objects": ("object", result["objects"], HOLES),
@@ -186,4 +204,4 @@ def write(result: Row, directory: Path) -> None:
     (directory / "see.md").write_text(text + "\n" + end)
 
 
-__all__ = ["as_text", "of_holes", "of_outlines", "write"]
+__all__ = ["as_text", "of_holes", "of_outlines", "of_plans", "write"]

@@ -14,20 +14,28 @@ constexpr double kSignificant = 4.5;  // deviations of a height that is not nois
 constexpr double kReliable = 6.5;     // deviations of a mean that is significant nearly always
 constexpr int kWidestWindow = 9;      // window [pixels]
 
+/// Replaces every value of some rows by the sum of the window around it. Several rows at once, as
+/// each sum waits for the one before.
+template <int kRows>
+void sum_along_rows(DepthImage& image, Eigen::Index first, Eigen::Index half) {
+  const Eigen::Index width = image.cols();
+  using Rows = Eigen::Array<float, kRows, 1>;
+  Eigen::Array<float, kRows, Eigen::Dynamic> before = image.middleRows(first, kRows);
+  Rows sum;
+  for (int k = 0; k < kRows; ++k) sum[k] = image.row(first + k).head(std::min(half, width)).sum();
+  for (Eigen::Index u = 0; u < width; ++u) {
+    if (u + half < width) sum += before.col(u + half);
+    if (u - half - 1 >= 0) sum -= before.col(u - half - 1);
+    image.col(u).template segment<kRows>(first) = sum;
+  }
+}
+
 /// Replaces every value by the sum of the window around it, which ends at the border.
 void sum_windows(DepthImage& image, int window) {
-  const Eigen::Index half = window / 2, width = image.cols(), height = image.rows();
-  Eigen::ArrayXf before(width);
-  for (Eigen::Index v = 0; v < height; ++v) {
-    float* row = image.row(v).data();
-    before = Eigen::Map<Eigen::ArrayXf>(row, width);
-    float sum = before.head(std::min(half, width)).sum();
-    for (Eigen::Index u = 0; u < width; ++u) {
-      if (u + half < width) sum += before[u + half];
-      if (u - half - 1 >= 0) sum -= before[u - half - 1];
-      row[u] = sum;
-    }
-  }
+  const Eigen::Index half = window / 2, height = image.rows();
+  Eigen::Index v = 0;
+  for (; v + 8 <= height; v += 8) sum_along_rows<8>(image, v, half);
+  for (; v < height; ++v) sum_along_rows<1>(image, v, half);
   const DepthImage rows = image;
   Eigen::Array<float, 1, Eigen::Dynamic> sum = rows.topRows(std::min(half, height)).colwise().sum();
   for (Eigen::Index v = 0; v < height; ++v) {

@@ -16,11 +16,12 @@ namespace {
 bool join_corners(Raster& mask) {
   bool is_changed = false;
   for (int y = 0; y + 1 < mask.ny; ++y) {
+    std::uint8_t* row = &mask.values[mask.index(0, y)];
+    const std::uint8_t* next = row + mask.nx;
     for (int x = 0; x + 1 < mask.nx; ++x) {
-      const bool a = mask.at(x, y), b = mask.at(x + 1, y);
-      const bool c = mask.at(x, y + 1), d = mask.at(x + 1, y + 1);
+      const bool a = row[x], b = row[x + 1], c = next[x], d = next[x + 1];
       if (a == d && b == c && a != b) {
-        mask.values[a ? mask.index(x + 1, y) : mask.index(x, y)] = 1;
+        row[a ? x + 1 : x] = 1;
         is_changed = true;
       }
     }
@@ -39,12 +40,12 @@ std::vector<int> steps_from(const Raster& mask, bool is_diagonal) {
       const int y = sign > 0 ? k : ny - 1 - k;
       int* row = &steps[mask.index(0, y)];
       const int* before = k > 0 ? row - sign * nx : nullptr;
-      for (int x = 0; before && x < nx; ++x) {
-        int least = before[x];
-        if (is_diagonal && x > 0) least = std::min(least, before[x - 1]);
-        if (is_diagonal && x + 1 < nx) least = std::min(least, before[x + 1]);
-        row[x] = std::min(row[x], least + 1);
-      }
+      const auto take = [&](int first, int end, int shift) {  // from the row before
+        for (int x = first; x < end; ++x) row[x] = std::min(row[x], before[x + shift] + 1);
+      };
+      if (before) take(0, nx, 0);
+      if (before && is_diagonal) take(1, nx, -1);
+      if (before && is_diagonal) take(0, nx - 1, 1);
       for (int x = 1; x < nx; ++x) row[x] = std::min(row[x], row[x - 1] + 1);
       for (int x = nx - 2; x >= 0; --x) row[x] = std::min(row[x], row[x + 1] + 1);
     }
@@ -69,7 +70,9 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
   std::vector<int> parent;  // of provisional labels
   const auto root = [&](int label) {
     while (parent[static_cast<std::size_t>(label)] != label) {
-      label = parent[static_cast<std::size_t>(label)];
+      int& above = parent[static_cast<std::size_t>(label)];
+      above = parent[static_cast<std::size_t>(above)];  // halves the way of the next
+      label = above;
     }
     return label;
   };
@@ -80,23 +83,25 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
       return;
     }
     const int a = root(label), b = root(other);
-    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    label = std::min(a, b);
+    parent[static_cast<std::size_t>(std::max(a, b))] = label;
   };
   for (int y = 0; y < mask.ny; ++y) {
     poll();
+    const std::uint8_t* value = &mask.values[mask.index(0, y)];
+    int* row = &pieces.label[mask.index(0, y)];
+    const int* before = y > 0 ? row - mask.nx : nullptr;
     for (int x = 0; x < mask.nx; ++x) {
-      const std::size_t i = mask.index(x, y);
-      if (!mask.values[i]) continue;
-      const auto before = i - static_cast<std::size_t>(mask.nx);
-      int label = x > 0 ? pieces.label[i - 1] : -1;
-      if (y > 0) join(label, pieces.label[before]);
-      if (is_diagonal && y > 0 && x > 0) join(label, pieces.label[before - 1]);
-      if (is_diagonal && y > 0 && x + 1 < mask.nx) join(label, pieces.label[before + 1]);
+      if (!value[x]) continue;
+      int label = x > 0 ? row[x - 1] : -1;
+      if (before) join(label, before[x]);
+      if (is_diagonal && before && x > 0) join(label, before[x - 1]);
+      if (is_diagonal && before && x + 1 < mask.nx) join(label, before[x + 1]);
       if (label < 0) {
         label = static_cast<int>(parent.size());
         parent.push_back(label);
       }
-      pieces.label[i] = label;
+      row[x] = label;
     }
   }
   std::vector<int> final_label(parent.size(), -1);
@@ -108,10 +113,12 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
     }
     final_label[k] = final_label[top];
   }
-  for (int& label : pieces.label) {
-    if (label < 0) continue;
-    label = final_label[static_cast<std::size_t>(label)];
-    ++pieces.size[static_cast<std::size_t>(label)];
+  for (std::size_t i = 0; i < pieces.label.size();) {
+    const int provisional = pieces.label[i];
+    const std::size_t first = i;  // of a run of cells with this label
+    const int label = provisional < 0 ? -1 : final_label[static_cast<std::size_t>(provisional)];
+    for (; i < pieces.label.size() && pieces.label[i] == provisional; ++i) pieces.label[i] = label;
+    if (label >= 0) pieces.size[static_cast<std::size_t>(label)] += i - first;
   }
   return pieces;
 }
@@ -195,7 +202,8 @@ void keep_largest(Raster& mask) {
     const Pieces pieces = pieces_of(mask, false);
     const auto largest = std::max_element(pieces.size.begin(), pieces.size.end());
     const int label = static_cast<int>(largest - pieces.size.begin());
-    for (std::size_t i = 0; i < mask.values.size(); ++i) mask.values[i] = pieces.label[i] == label;
+    std::transform(pieces.label.begin(), pieces.label.end(), mask.values.begin(),
+                   [label](int other) -> std::uint8_t { return other == label; });
   };
   if (std::none_of(mask.values.begin(), mask.values.end(), [](auto v) { return v; })) return;
   select();
