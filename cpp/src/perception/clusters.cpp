@@ -33,16 +33,28 @@ Patch smoothed(const Sighting& from, const NoiseModel& noise, int u, int v) {
   const DepthImage& depth = from.sight->depth;
   const float z = depth(v, u);
   const auto step = static_cast<float>(largest_step(*from.sight, noise, static_cast<double>(z)));
-  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-  Eigen::Vector3f sums = Eigen::Vector3f::Zero();
+  int n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;  // numbers, as sums of small matrices wait
+  float h = 0, hx = 0, hy = 0;
   for (int y = std::max(v - kHalf, 0); y <= std::min(v + kHalf, from.sight->height() - 1); ++y) {
     for (int x = std::max(u - kHalf, 0); x <= std::min(u + kHalf, from.sight->width() - 1); ++x) {
       if (!(std::abs(depth(y, x) - z) < step) || from.heights.level(y, x) != Level::above) continue;
-      const Eigen::Vector3f at(1, static_cast<float>(x - u), static_cast<float>(y - v));
-      squares += at * at.transpose();
-      sums += from.heights.height(y, x) * at;
+      const int dx = x - u, dy = y - v;
+      const float height = from.heights.height(y, x);
+      ++n;
+      sx += dx;
+      sy += dy;
+      sxx += dx * dx;
+      sxy += dx * dy;
+      syy += dy * dy;
+      h += height;
+      hx += height * static_cast<float>(dx);
+      hy += height * static_cast<float>(dy);
     }
   }
+  Eigen::Matrix3i counts;
+  counts << n, sx, sy, sx, sxx, sxy, sy, sxy, syy;
+  const Eigen::Matrix3f squares = counts.cast<float>();
+  const Eigen::Vector3f sums(h, hx, hy);
   const Eigen::LDLT<Eigen::Matrix3f> solver(squares);
   if (solver.vectorD().minCoeff() < kLeastSpread) {
     return {sums[0] / squares(0, 0), Eigen::Vector2f::Zero()};
