@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 import trimesh
+from scipy.spatial import ConvexHull
 
 from graspless import frames, geometry
 from graspless.cli import main
@@ -71,21 +72,44 @@ def things(folder):
     return [bench_things.read(folder / f"{name}.stl", 0.3) for name in ("bar", "crate")]
 
 
+def apart(a, b):
+    """Distance between two things, seen from above; 0 if one is on the other [m]."""
+    hulls = [geometry.Polygon(x.border[ConvexHull(x.border).vertices]) for x in (a, b)]
+    if any(hulls[0].contains(p) for p in b.border) or any(hulls[1].contains(p) for p in a.border):
+        return 0.0
+    return np.linalg.norm(a.border[:, None] - b.border[None], axis=2).min()
+
+
+def test_a_small_neighbour_is_beside_a_large_object(tmp_path):
+    trimesh.creation.cylinder(0.13, 0.02).export(tmp_path / "plate.stl")
+    trimesh.creation.box([0.02] * 3).export(tmp_path / "cube.stl")
+    plate, cube = (bench_things.read(tmp_path / f"{name}.stl", 0.1) for name in ("plate", "cube"))
+    placed = 0
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        given = scenes.setting(scenes.TABLES["square"], plate, [cube], rng)
+        placed += len(given.others)
+        for other in given.others:
+            assert scenes.GAP[0] < apart(given.target, other) < scenes.GAP[1]
+    assert placed > 20
+
+
 @pytest.mark.parametrize("table", scenes.TABLES)
 def test_things_stand_on_the_table_clear_of_each_other(things, table):
     bar, crate = things
+    count = 0
     for seed in range(5):
         rng = np.random.default_rng(seed)
         given = scenes.setting(scenes.TABLES[table], bar, [bar, crate], rng)
         ground = geometry.Polygon(given.table)
         placed = [given.target, *given.others]
+        count += len(given.others)
         for item in placed:
             assert item.points[:, 2].min() == pytest.approx(0, abs=1e-9)
             assert min(ground.depth(p) for p in item.border) >= scenes.MARGIN
-        assert given.others
         for a, b in itertools.combinations(placed, 2):
-            far = np.linalg.norm(a.border[:, None] - b.border[None], axis=2)
-            assert far.min() > scenes.GAP[0]
+            assert apart(a, b) > scenes.GAP[0]
+    assert count >= 5
 
 
 def test_what_is_larger_than_the_table_has_no_place(things):

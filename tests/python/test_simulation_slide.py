@@ -24,7 +24,7 @@ from graspless.simulation.slide.execution import Execution, overhang
 from graspless.simulation.slide.fingers import PAD
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.program import make_program, straight_lift
-from graspless.simulation.slide.scene import build_scene
+from graspless.simulation.slide.scene import HAND, OBJECT, build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
 from graspless.simulation.slide.truth import Body, Truth
 from graspless.simulation.variation import Variation
@@ -400,6 +400,21 @@ def test_a_palm_that_touches_the_object_before_the_grasp_is_told(plan):
     execution.run("press")
     assert "touched" in execution.judge.failures
     assert "hand_base" in execution.judge.touched
+
+
+@pytest.mark.parametrize(
+    ("phase", "failures"),
+    [("slide", ["touched"]), ("retreat", ["touched"]), ("grasp", []), ("close", []), ("hold", [])],
+)
+def test_the_palm_may_touch_the_object_only_where_the_hand_grasps(plan, phase, failures):
+    execution = Execution(plan, Variation(), Slide())
+    judge, groups = execution.judge, execution.scene.groups
+    kinds = judge._kind[[groups[HAND][:1], groups[OBJECT][:1]]]
+    judge._kinds = lambda _: kinds
+    judge._note_contact = lambda data, index, failure: judge.note(failure)
+    mujoco.mj_forward(execution.scene.model, execution.data)
+    judge.look(execution.data, phase)
+    assert judge.failures == failures
 
 
 def test_a_true_card_is_slid_and_lifted(plan):
