@@ -407,7 +407,7 @@ def test_a_palm_that_touches_the_object_before_the_grasp_is_told(plan):
     [("slide", ["touched"]), ("retreat", ["touched"]), ("grasp", []), ("close", []), ("hold", [])],
 )
 def test_the_palm_may_touch_the_object_only_where_the_hand_grasps(plan, phase, failures):
-    execution = Execution(plan, Variation(), Slide())
+    execution = Execution(plan, Variation(), Slide(), truth=true_world(plan))
     judge, groups = execution.judge, execution.scene.groups
     kinds = judge._kind[[groups[HAND][:1], groups[OBJECT][:1]]]
     judge._kinds = lambda _: kinds

@@ -49,6 +49,7 @@ MEASURES = {
     **moved.MEASURES,
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 if the hand still held the object at the end as it had grasped it",
+    "lifted": "1 if the object was in the hand during the hold, at rest and clear of all else",
     "carried": "distance that the hand moved the object, from squeeze to hold [m]",
     "carry_error": "difference between that motion of the object and the planned one [m]",
     "place_error": "distance of the object from its place, at the end [m]",
@@ -175,7 +176,7 @@ class _Carried(Execution):
             truth,
             standing=None if places is None else places.on,
         )
-        self.measures["kept"] = 0.0
+        self.measures = {"kept": 0.0, "lifted": 0.0}
         self._until = HOLD if places is None else REST
         begin: Matrix = carries[0].segments[0].object_poses[0]
         self._place: Matrix = last.segments[-1].object_poses[-1]

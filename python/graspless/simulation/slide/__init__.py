@@ -31,7 +31,6 @@ MEASURES = {
     "lift_height": "height of the object above its start at the end of the lift [m]",
     "lift_reach": "height to which the arm can lift straight up, up to the height requested [m]",
     "creep": "distance that the object moved in the hand during lift and hold [m]",
-    "lifted": "1 if the object was in the hand during the hold, at rest and clear of all else",
 }
 
 SPREAD = SLIDE_SPREAD

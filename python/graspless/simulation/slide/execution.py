@@ -67,7 +67,7 @@ class Execution:
             self.controller = control(self.timestep)
         self.every = max(1, round(_LOOK / self.timestep))
         self.judge = Judge(self.scene, self.every * self.timestep, settings)
-        self.measures: dict[str, float] = {"lifted": 0.0}
+        self.measures: dict[str, float] = {} if truth is None else {"lifted": 0.0}
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
         self._slid_after = ("lift", "reach") if yields else ("slide", "lift")
@@ -165,7 +165,8 @@ class Execution:
                 self.judge.note("not_grasped")
         elif phase in (RAISE, HOLD):
             self._measure_lift(phase)
-            self._measure_rest(phase)
+            if "lifted" in self.measures:
+                self._measure_rest(phase)
 
     def _measure_slide(self) -> None:
         X_WO = self._slid = self.judge.pose(self.data)

@@ -25,12 +25,15 @@ FAILURES = {
     "tipped": "the object tilted over the table's edge",
     "fell": "the object fell off the table",
     "hit": "two bodies touched that must not",
-    "touched": "the palm, or any part of the hand other than the fingers, touched the object "
-    "before the hand was there to grasp it",
     "not_grasped": "the hand closed without grasping the object",
-    "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
     "dropped": "the object fell out of the hand during lift or hold",
     "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
+}
+# Of trials with a true world, where others stand beside the object, and what was seen is not all.
+TRUE_FAILURES = {
+    "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
+    "touched": "the palm, or any part of the hand other than the fingers, touched the object "
+    "before the hand was there to grasp it",
 }
 _BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
 _AWAY = ("approach", "press", "slide", "lift", "reach", "retreat", "stop")  # only fingers may touch
@@ -59,7 +62,8 @@ class Judge:
             self._kind[self.scene.groups[what]] = code[what]
         allowed = [(FOOT, TABLE), (EDGE, OBJECT), (PAD, OBJECT), (PAD, TABLE)]
         allowed += [(SLIDING, OBJECT), (OTHER, OBJECT)]
-        if not len(self.scene.groups[FOOT]):
+        self._is_true = not len(self.scene.groups[FOOT])
+        if self._is_true:
             allowed.append((OBJECT, TABLE))
         self._allowed = np.zeros((len(order) + 1,) * 2, dtype=bool)
         for a, b in allowed:
@@ -78,7 +82,8 @@ class Judge:
         grasps = phase not in _AWAY
         self._allowed[self._rest, self._object] = self._allowed[self._object, self._rest] = grasps
         for index in np.flatnonzero(~self._allowed[a, b]):
-            by_hand = {int(a[index]), int(b[index])} == {self._rest, self._object}
+            pair = {int(a[index]), int(b[index])}
+            by_hand = self._is_true and pair == {self._rest, self._object}
             self._note_contact(data, int(index), "touched" if by_hand else "hit")
         if phase == "slide":
             self._watch_tip(data)
