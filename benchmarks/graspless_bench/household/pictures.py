@@ -12,6 +12,7 @@ from graspless import perception
 
 from ..style import STYLE
 from . import scenes
+from .report import outcome
 from .trial import measure
 
 if TYPE_CHECKING:
@@ -44,9 +45,7 @@ def draw(rows: Sequence[Row], queries: Sequence[Query], path: Path) -> None:
         for place in np.ravel(axes):
             place.axis("off")
         for place, (row, query) in zip(np.ravel(axes), first.values(), strict=False):
-            stage = row["stage"].replace("_", " ")
-            how = stage if row["strategy"] is None else f"{row['strategy']}: {stage}"
-            place.set_title(f"{row['mesh']}\n{how}", fontsize=7, pad=2)
+            place.set_title(f"{row['mesh']}\n{outcome(row)}", fontsize=7, pad=2)
             place.imshow(_shaded(query), cmap="gray", vmin=0, vmax=1)
         figure.savefig(path, dpi=110)
         plt.close(figure)

@@ -142,14 +142,18 @@ def _times(setting: Row) -> str:
     )
 
 
+def outcome(row: Row) -> str:
+    """Returns what became of a trial: its strategy, if there was a plan, and its stage."""
+    stage = str(row["stage"]).replace("_", " ")
+    return stage if row["strategy"] is None else f"{row['strategy']}: {stage}"
+
+
 def _objects(result: Row) -> list[Row]:
     """Returns a row for each mesh, with its trials by setting."""
     found: dict[str, Row] = {}
     for row in result["rows"]:
         own = found.setdefault(row["mesh"], {"name": row["mesh"], "trials": {}})
-        stage = row["stage"].replace("_", " ")
-        shown = stage if row["strategy"] is None else f"{row['strategy']}: {stage}"
-        own["trials"].setdefault((row["robot"], row["views"]), []).append(shown)
+        own["trials"].setdefault((row["robot"], row["views"]), []).append(outcome(row))
     return sorted(found.values(), key=lambda row: str(row["name"]))
 
 
@@ -192,4 +196,4 @@ def write(result: Row, directory: Path) -> None:
     (directory / "household.md").write_text(page)
 
 
-__all__ = ["as_result", "as_text", "write"]
+__all__ = ["as_result", "as_text", "outcome", "write"]

@@ -53,11 +53,11 @@ def run(
     with contextlib.ExitStack() as stack:
         kept = None if log is None else stack.enter_context(manifest.opened(log))
         pool = stack.enter_context(pools.opened(jobs, None))
-        for row in spread(measure, left, pool, _died):
+        for done, row in enumerate(spread(measure, left, pool, _died), len(asked) - len(left) + 1):
             known[row["key"]] = row
             if kept is not None:
                 kept.add(row)
-            tell(sum(key in known for key in keys))
+            tell(done)
     return [known[key] for key in keys]
 
 

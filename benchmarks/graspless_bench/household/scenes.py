@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import trimesh
 from scipy.spatial import ConvexHull
 
 from graspless import frames, geometry, perception
@@ -60,6 +59,12 @@ class Placed:
     def body(self) -> Body:
         """Its convex parts in the world."""
         return self.thing.body.moved(self.X_WT)
+
+    @property
+    def surface(self) -> perception.Body:
+        """Its mesh, as cameras see it."""
+        shape = geometry.Mesh(self.thing.mesh.vertices, self.thing.mesh.faces)
+        return perception.Body([geometry.PlacedShape(shape)], self.X_WT)
 
     @property
     def border(self) -> Matrix:
@@ -150,7 +155,7 @@ def _fits(border: Matrix, others: Sequence[Matrix]) -> bool:
 def _gap(a: Matrix, b: Matrix) -> float:
     """Returns the distance of two borders, 0 if one lies in the other [m]."""
     for one, other in ((a, b), (b, a)):
-        if geometry.Polygon(one[ConvexHull(one).vertices]).contains(other[0]):
+        if geometry.Polygon(one).contains(other[0]):
             return 0.0
     return float(np.linalg.norm(a[:, None] - b[None], axis=2).min())
 
@@ -177,17 +182,7 @@ def rendered(
     bodies = [
         perception.Body([geometry.PlacedShape(geometry.Box([6, 6, 0.02]))], FLOOR_POSE),
         perception.Body([_slab(part) for part in geometry.Polygon(given.table).convex_parts()]),
-        *(
-            perception.Body(
-                [
-                    geometry.PlacedShape(
-                        geometry.Mesh(item.thing.mesh.vertices, item.thing.mesh.faces)
-                    )
-                ],
-                item.X_WT,
-            )
-            for item in (given.target, *given.others)
-        ),
+        *(item.surface for item in (given.target, *given.others)),
     ]
     return perception.render(bodies, perception.look_at(eye, at), noise=noise, seed=seed)
 
@@ -196,8 +191,7 @@ def _slab(part: geometry.Polygon) -> geometry.PlacedShape:
     """Returns the prism of a convex part of a table, under z = 0."""
     corners = np.array(part.vertices)
     levels = [np.column_stack([corners, np.full(len(corners), z)]) for z in (-SLAB, 0.0)]
-    hull = trimesh.Trimesh(np.concatenate(levels)).convex_hull
-    return geometry.PlacedShape(geometry.Mesh(hull.vertices, hull.faces))
+    return geometry.PlacedShape(geometry.Convex(np.concatenate(levels)))
 
 
 def nearest(scene: perception.Scene, target: Placed) -> perception.Object | None:

@@ -26,12 +26,8 @@ if TYPE_CHECKING:
     from ..machine import Row
 
 SECONDS = 6.0  # for each pick [s]
-MADE_GOOD = {
-    "tip_lost",
-    "off_target",
-    "tipped",
-    "touched",
-}  # if the object is in the hand at the end
+# Failures that do not count if the object is in the hand at the end.
+MADE_GOOD = {"tip_lost", "off_target", "tipped", "touched"}
 LOST = {"tip_lost", "off_target", "tipped", "fell", "hit", "stopped"}
 HEAVY = 0.2  # mass of an object that nobody gave [kg]
 NEIGHBOURS = 2  # in every other trial

@@ -105,7 +105,10 @@ CarriedPlan plan_carried(const Problem& problem, const Options& options, const r
     if (scrub < scrub_of(kept.realization)) kept = next;
     nearer.fingers.max_span = kNearer * span_of(next.plan, problem.fingers.radius);
     if (is_last || scrub <= realize_options.max_scrub ||
-        nearer.fingers.max_span < 2 * problem.fingers.radius ||
+        nearer.fingers.max_span < 2 * problem.fingers.radius)
+      break;
+    // The start at home is that of the best plan, whichever is tried.
+    if (tried == 1 &&
         !realize::home_collision(problem, best.plan, robot, carrier, q_home, realize_options)
              .empty())
       break;
