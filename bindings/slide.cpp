@@ -47,7 +47,7 @@ void bind_object(py::module_& m) {
           "[m].\n\n"
           "Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the "
           "outline, at half the thickness.\n\nRaises ValueError on a bad outline, or on a "
-          "thickness over half the object's width.")
+          "thickness over three quarters of the object's width.")
       .def_static(
           "prism",
           [](const std::string& name, const Outline& outline, double thickness, double spacing) {
@@ -75,7 +75,7 @@ void bind_object(py::module_& m) {
       .def_property_readonly(
           "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
       .def_property_readonly("is_thin", &Object::is_thin,
-                             "True if the thickness is at most half the least width.")
+                             "True if the thickness is at most three quarters of the least width.")
       .def_property_readonly("thickness", &Object::thickness,
                              "Thickness, that of the highest part [m].")
       .def_property_readonly(

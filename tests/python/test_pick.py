@@ -14,7 +14,7 @@ from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.picking import trying
 from graspless.picking.measured import doubt
-from graspless.picking.strategies import chain_of, top_share, unseen_share
+from graspless.picking.strategies import chain_of, top_share, unseen_share, ways_of
 from graspless.picking.wish import simplified, wish_of
 from graspless.tasks.scenes import outline_of
 from pick_common import body, seen
@@ -97,7 +97,7 @@ def test_a_bag_is_clasped_by_its_handle():
     assert found, found.reason
     assert found.strategy == "clasp"
     assert all("it needs two fingers" in found.attempts[k].reason for k in (0, 1))
-    assert "lower than half its width" in found.attempts[2].reason
+    assert "lower than three quarters of its width" in found.attempts[2].reason
     assert graspless.check(found.plan) == []
     clasp = found.plan.stages[0]
     loop = clasp.task.problem.object.loops.found[clasp.loop]
@@ -252,6 +252,18 @@ def test_a_spoon_is_not_pinched_above_its_handle():
     assert not found
     assert found.attempts[0].status == "refused"
     assert "over the support, where the object is 5 mm high" in found.attempts[0].reason
+
+
+def test_low_objects_are_pinched_with_the_ends_of_the_pads(scene, names):
+    low, high = (_wish(scene, names[name]) for name in ("card", "bar"))
+    last = ways_of("pinch", low)[-1]
+    options = chain_of("pinch", low, 1, 2.0, last)["stages"][0]["options"]
+    assert options == {"depth": 0.003, "patch": 0.003, "height": 0.0}
+    for wish, ways in ((low, ways_of("pinch", low)[:-1]), (high, ways_of("pinch", high))):
+        assert [chain_of("pinch", wish, 1, 2.0, way)["stages"][0]["options"] for way in ways] == [
+            {},
+            {},
+        ]
 
 
 def _with_points(wish, points):

@@ -21,6 +21,7 @@ constexpr double kApart = 0.02;        // between faces of one direction [m]
 constexpr double kLever = 0.05;        // costs as much as a coefficient of friction of 1 [m]
 constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
 constexpr double kSameHeight = 0.008;  // [m]
+constexpr double kSpare = 0.002;  // to the least height of contacts, where the object is higher [m]
 
 std::string slippery(double needed, double allowed) {
   char text[128];
@@ -103,13 +104,13 @@ Eigen::Matrix3d rotation(const Vector2d& closing_S, int roll, double tilt) {
   return R;
 }
 
-/// Heights of the contacts between two bounds: that of the faces, or in the middle of the object if
-/// that is possible, and above.
-std::vector<double> heights(const Faces& faces, double thickness, double least, double most) {
+/// Heights of the contacts between two bounds: that of the faces, or the nearest to the best one,
+/// and above.
+std::vector<double> heights(const Faces& faces, double best, double least, double most) {
   if (faces.height) {
     return *faces.height < least ? std::vector<double>{} : std::vector<double>{*faces.height};
   }
-  const double middle = std::clamp(thickness / 2, least, most);
+  const double middle = std::clamp(best, least, most);
   std::vector<double> found{middle};
   for (const double height : {(middle + most) / 2, most}) {
     if (height > found.back() + kSameHeight) found.push_back(height);
@@ -180,7 +181,8 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
   const Isometry3d& X_WS = problem.support.X_WS();
   const Isometry3d X_SO = X_WS.inverse() * problem.X_WO_start;
   const double thickness = problem.object.thickness(),
-               above = has_walls ? options.patch : options.clearance, most = thickness - above;
+               above = has_walls ? options.patch : options.clearance, most = thickness - above,
+               best = options.height.value_or(thickness / 2), spare = options.height ? 0 : kSpare;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Faces& pair : faces) {
     const std::optional<Grip> grip = jaw.at_width(pair.width);
@@ -197,11 +199,11 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
             options.clearance + jaw.reach(*grip, down_H) - down_H.dot(grip->contact_H);
         lowest = std::min(lowest, least);
         if (least > most) continue;
-        for (const double height : heights(pair, thickness, least, most)) {
+        for (const double height : heights(pair, best, std::min(least + spare, most), most)) {
           Isometry3d X_SH = Isometry3d::Identity();
           X_SH.linear() = R_SH;
           X_SH.translation() = Vector3d(p_S.x(), p_S.y(), height) - R_SH * grip->contact_H;
-          const double off = has_walls ? 0 : std::abs(height - thickness / 2) / kLever;
+          const double off = has_walls ? 0 : std::abs(height - best) / kLever;
           result.all.push_back({pair, height, tilt, X_WS * X_SH,
                                 cost(pair) + kUprightTilt * std::abs(tilt) / (kPi / 2) + off});
         }

@@ -57,7 +57,8 @@ std::pair<double, double> Shapes::outermost(const Vector3d& direction_H,
           (extent(direction_H + kTurn * axis_H) - here) / kTurn};
 }
 
-Jaw::Jaw(const slide::Problem& problem) : problem_(problem) {
+Jaw::Jaw(const slide::Problem& problem, const Options& options)
+    : problem_(problem), depth_(options.depth) {
   for (const std::string& link : problem.hand.fingers) {
     if (!contains(problem.hand.sliding_finger, link)) others_.push_back(link);
   }
@@ -76,7 +77,6 @@ Jaw::Jaw(const slide::Problem& problem) : problem_(problem) {
 }
 
 Grip Jaw::at(const Eigen::VectorXd& q) const {
-  constexpr double kDeepest = 0.01;  // contact behind the end of parallel fingers [m]
   Grip grip;
   grip.q = q;
   const Shapes own(problem_, problem_.hand.sliding_finger, grip.q),
@@ -89,7 +89,7 @@ Grip Jaw::at(const Eigen::VectorXd& q) const {
   };
   const auto z = along(Vector3d::UnitZ()), x = along(Vector3d::UnitX());
   grip.contact_H << (x.first + x.second) / 2, -side_ * (own_face - other_face) / 2,
-      z.second - std::min(kDeepest, (z.second - z.first) / 2);
+      z.second - std::min(depth_, (z.second - z.first) / 2);
   grip.pad = x.second - x.first;
   return grip;
 }

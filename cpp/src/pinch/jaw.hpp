@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "graspless/pinch/options.hpp"
 #include "graspless/slide/problem.hpp"
 
 namespace graspless::pinch {
@@ -42,7 +43,8 @@ struct Grip {
 /// The opening of a hand between its open and its closed state.
 class Jaw {
  public:
-  explicit Jaw(const slide::Problem& problem);
+  /// With contacts as far from the ends of the pads as `options` say.
+  explicit Jaw(const slide::Problem& problem, const Options& options = {});
 
   double opening() const { return open_.gap; }      ///< [m]
   double least_gap() const { return closed_.gap; }  ///< of the closed hand; may be negative [m]
@@ -66,6 +68,7 @@ class Jaw {
   Grip closed_by(double closing) const { return at(q_open_ + closing * (q_closed_ - q_open_)); }
 
   const slide::Problem& problem_;
+  double depth_;
   std::vector<std::string> others_;  // links of hand.fingers besides hand.sliding_finger
   Eigen::VectorXd q_open_, q_closed_;
   double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1

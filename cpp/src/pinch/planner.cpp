@@ -45,6 +45,7 @@ class Search {
         options_(options),
         clock_(clock),
         rng_(seed),
+        jaw_(problem, options),
         arm_(problem),
         ik_(make_ik(problem, arm_)),
         scene_(slide::make_scene(problem)),
@@ -54,18 +55,17 @@ class Search {
 
   Plan run() {
     Plan plan;
-    const Jaw jaw(problem_);
-    plan.opening = jaw.opening();
+    plan.opening = jaw_.opening();
     if (const auto [a, b] = scene_.collision(problem_.q_home); !a.empty()) {
       plan.status = Status::start_in_collision;
       plan.reason = "at home, '" + a + "' touches '" + b + "'";
       return plan;
     }
-    Grasps grasps = find_grasps(problem_, options_, jaw);
+    Grasps grasps = find_grasps(problem_, options_, jaw_);
     statistics_.faces = static_cast<std::int64_t>(grasps.num_faces);
     plan.status = grasps.status;
     plan.reason = grasps.reason;
-    if (!grasps.all.empty()) search(jaw, grasps.all, plan);
+    if (!grasps.all.empty()) search(grasps.all, plan);
     statistics_.seconds = clock_.seconds();
     statistics_.collision_checks = scene_.world().num_checks();
     plan.statistics = statistics_;
@@ -73,13 +73,13 @@ class Search {
   }
 
  private:
-  void search(const Jaw& jaw, const std::vector<Grasp>& grasps, Plan& plan) {
+  void search(const std::vector<Grasp>& grasps, Plan& plan) {
     std::vector<Pinch> unreached;  // no straight motion leads there
     const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
       if (!clock_.spend()) break;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
-        std::optional<Pinch> pinch = add_motion(jaw, grasps[i], q);
+        std::optional<Pinch> pinch = add_motion(grasps[i], q);
         if (!pinch) continue;
         if (add_approach(*pinch, 0, plan)) return;
         unreached.push_back(std::move(*pinch));
@@ -114,7 +114,7 @@ class Search {
     return found;
   }
 
-  std::optional<Pinch> add_motion(const Jaw& jaw, const Grasp& grasp, const Eigen::VectorXd& q) {
+  std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q) {
     std::vector<Eigen::Isometry3d> outwards;
     const int steps = slide::pieces(options_.approach, kGraspStep);
     for (int i = 1; i <= steps; ++i) {
@@ -131,7 +131,7 @@ class Search {
       refuse(a.empty() ? "closing: nothing touches" : "closing: " + a + " touches " + b);
       return std::nullopt;
     }
-    if (jaw.gap(closing.rows.back()) > grasp.faces.width + kUneven) {
+    if (jaw_.gap(closing.rows.back()) > grasp.faces.width + kUneven) {
       refuse("closing: one finger touches before the other");
       return std::nullopt;
     }
@@ -183,6 +183,7 @@ class Search {
   planning::Clock& clock_;
   std::mt19937_64 rng_;
   Statistics statistics_;
+  Jaw jaw_;
   slide::Arm arm_;
   robot::Ik ik_;
   scene::Scene scene_;

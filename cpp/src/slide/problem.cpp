@@ -21,6 +21,7 @@ constexpr double kMinFriction = 1e-6;
 constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
 constexpr double kLevel = 0.0025;           // of heights from that of the face [m]
 constexpr double kLevelRadius = 0.01;       // of discs that are level or not [m]
+constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 void check_within(const std::string& what, double value, double least, double largest,
@@ -71,13 +72,14 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
                                 std::to_string(kMaxHeightSpread) + " m is allowed");
   }
   length(what + " thickness", thickness);
-  if (thickness > width / 2) {
+  if (thickness > kMaxSlenderness * width) {
     throw std::invalid_argument(what + " is not thin: thickness " + std::to_string(thickness) +
-                                " m exceeds half its width of " + std::to_string(width) + " m");
+                                " m exceeds three quarters of its width of " +
+                                std::to_string(width) + " m");
   }
 }
 
-double least_width(const geometry::Polygon& outline) {
+double width_across_edges(const geometry::Polygon& outline) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < outline.size(); ++i) {
     poll();
@@ -201,7 +203,7 @@ Object::Top Object::top_of(const geometry::Polygon& outline, Eigen::Matrix2Xd po
 
 Object Object::from_polygon(const std::string& name, const geometry::Polygon& outline,
                             double thickness, double spacing) {
-  check_thin("object '" + name + "'", {0}, thickness, least_width(outline));
+  check_thin("object '" + name + "'", {0}, thickness, width_across_edges(outline));
   return prism(name, outline, thickness, spacing);
 }
 
@@ -217,11 +219,13 @@ Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
   const std::vector<double> z = heights_of(what, p_OP);
   if (thickness == 0) thickness = quantile(z, 0.5);
   const geometry::Polygon outline = geometry::outline(p_OP.topRows<2>(), what);
-  check_thin(what, z, thickness, least_width(outline));
+  check_thin(what, z, thickness, width_across_edges(outline));
   return Object(name, p_OP.topRows<2>(), outline, thickness, p_OP.topRows<2>().rowwise().mean());
 }
 
-bool Object::is_thin() const { return thickness_ <= least_width(outline_) / 2; }
+bool Object::is_thin() const { return thickness_ <= kMaxSlenderness * least_width(); }
+
+double Object::least_width() const { return width_across_edges(outline_); }
 
 Object Object::with_com(const Eigen::Vector3d& com_O) const {
   const Eigen::Vector2d lower = outline_.vertices().rowwise().minCoeff();
@@ -287,7 +291,7 @@ Object Object::scaled(double scale) const {
   check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
   Object other(name_, scale * points(), geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
-  if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, least_width(other.outline_));
+  if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, other.least_width());
   other.com_.z() = com_.z();
   other.mass_ = mass_;
   other.lever_ = lever_;

@@ -124,6 +124,30 @@ void check_depths(const Hand& hand, const Options& options) {
   }
 }
 
+/// The support's drag, which acts below the finger, must not tip the object over its edge.
+void check_thickness(const Problem& problem, const Options& options) {
+  const Object& object = problem.object;
+  const std::string who = "object '" + object.name() + "' ";
+  const double thickness = object.thickness(), width = object.least_width();
+  if (!object.is_thin()) {
+    throw std::invalid_argument(who +
+                                "is not thin: a slide takes a thickness of at most three "
+                                "quarters of the width of " +
+                                std::to_string(width) + " m, not " + std::to_string(thickness) +
+                                " m");
+  }
+  const double friction = (1 + options.friction_spread) * problem.support.friction();
+  if (friction * thickness > width / 2) {
+    throw std::invalid_argument(
+        who + "would tip: with a thickness of " + std::to_string(thickness) + " m and a width of " +
+        std::to_string(width) +
+        " m, the coefficient of friction of the "
+        "support must be at most " +
+        std::to_string(width / (2 * thickness)) + ", not " + std::to_string(friction) +
+        " (support.friction and options.friction_spread)");
+  }
+}
+
 }  // namespace
 
 void validate(const Problem& problem) {
@@ -147,12 +171,7 @@ void validate(const Options& o) {
 void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
-  if (!problem.object.is_thin()) {
-    throw std::invalid_argument("object '" + problem.object.name() +
-                                "' is not thin: a slide takes a thickness of at most half the "
-                                "width, not " +
-                                std::to_string(problem.object.thickness()) + " m");
-  }
+  check_thickness(problem, options);
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
 }

@@ -20,7 +20,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, depth: typing.SupportsFloat | typing.SupportsIndex = 0.01, height: typing.SupportsFloat | typing.SupportsIndex | None = None, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -45,6 +45,16 @@ class Options:
         """
     @clearance.setter
     def clearance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def depth(self) -> float:
+        """
+        Distance of the contacts from the ends of the pads, at most half the length of a pad. With 0.003, low objects can be pinched.
+        
+        Unit: m. Range: (0, 0.1]. Default: 0.01.
+        """
+    @depth.setter
+    def depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
     @property
     def friction(self) -> float:
@@ -75,6 +85,16 @@ class Options:
         """
     @grip_force.setter
     def grip_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+        ...
+    @property
+    def height(self) -> float | None:
+        """
+        Height of the contacts over the support that is tried first, or the nearest to it at which the fingers fit. By default half the thickness, or that of a wall.
+        
+        Unit: m. Range: [0, 10].
+        """
+    @height.setter
+    def height(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def margin(self) -> float:

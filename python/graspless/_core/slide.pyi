@@ -33,7 +33,7 @@ class Object:
         
         Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at half the thickness.
         
-        Raises ValueError on a bad outline, or on a thickness over half the object's width.
+        Raises ValueError on a bad outline, or on a thickness over three quarters of the object's width.
         """
     @staticmethod
     def prism(name: str, outline: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex, spacing: typing.SupportsFloat | typing.SupportsIndex = 0.006) -> Object:
@@ -86,7 +86,7 @@ class Object:
     @property
     def is_thin(self) -> bool:
         """
-        True if the thickness is at most half the least width.
+        True if the thickness is at most three quarters of the least width.
         """
     @property
     def mass(self) -> float:

@@ -27,6 +27,7 @@ NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [
 MOST = 2000  # points that are compared
 SPACING = 0.005  # between points of the outline [m]
 HOLLOW = 0.004  # below the top of what is flat [m]
+THIN = 0.75  # largest height of what is slid, in its widths
 FLAT = 0.9  # part of an object that is as high as its top if it is flat
 CELL = 0.006  # between points at which the height is looked at [m]
 LEAST_SECONDS = 1e-3
@@ -59,6 +60,9 @@ class Way:
         Side of the cells if the object is as high as the cameras measured; 0 for a prism [m].
     uneven : float
         Part of the pad's length that may not bear.
+    pads : float or None
+        Distance of a pinch's contacts from the ends of the pads, and half of their length, if not
+        those of the planner [m]. They are as low as possible then.
     """
 
     smooth: float = 0.0
@@ -66,6 +70,7 @@ class Way:
     iterations: int | None = None
     cell: float = 0.0
     uneven: float = 0.0
+    pads: float | None = None
 
 
 # The next way is tried if one finds no plan that holds. Faces of small objects come out best by one
@@ -76,6 +81,7 @@ NEAR_EDGE = 0.035  # least overhang after that [m]
 UNEVEN = 0.7  # part of the pad that does not bear: objects are not as flat as their outlines say
 SMOOTH = 0.0015
 FINE, COARSE = 0.0025, 0.005  # pixels are about 2 mm apart; boxes of coarse heights are fewer [m]
+LOW, PAD_ENDS = 0.03, 0.003  # what is so low is pinched with the ends of the pads, too [m]
 WAYS = {
     "pinch": [Way(SMOOTH), Way()],
     "rim": [Way(cell=FINE)],
@@ -91,6 +97,8 @@ WAYS = {
 def ways_of(strategy: str, wish: Wish) -> list[Way]:
     """Returns the ways to ask for a strategy. Only what is flat on top is slid as a prism."""
     ways = WAYS[strategy]
+    if KINDS.get(strategy, strategy) == "pinch" and float(wish.thing.thickness) < LOW:
+        return [*ways, replace(ways[0], pads=PAD_ENDS)]
     if strategy != "slide":
         return ways
     far = _narrowest(np.asarray(wish.thing.outline)) / 2 - FAR
@@ -117,8 +125,10 @@ def chain_of(
         grasp["object"] = {**grasp["object"], **object_fields(wish, way.smooth)}
     if way.cell > 0:
         grasp["object"] = {**grasp["object"], "heights": heights_fields(wish, way.cell)}
-    if kind == "pinch" and wish.grip_force is not None:
-        grasp["options"] = {"grip_force": wish.grip_force}
+    if kind == "pinch":
+        force = {} if wish.grip_force is None else {"grip_force": wish.grip_force}
+        pads = {} if way.pads is None else {"depth": way.pads, "patch": way.pads, "height": 0.0}
+        grasp["options"] = force | pads
     if strategy == "slide":
         overhang = {} if way.overhang is None else {"min_overhang": way.overhang}
         grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True, **overhang}
@@ -197,9 +207,9 @@ def _refuse_slide(wish: Wish) -> str:
         return f"no edge within reach: the nearest is {100 * beyond:.0f} cm beyond"
     width = _narrowest(np.asarray(wish.thing.outline))
     height = float(wish.thing.thickness)
-    if height > width / 2:
+    if height > THIN * width:
         lengths = f"{1000 * height:.0f} mm high and {1000 * width:.0f} mm wide"
-        return f"{lengths}: only what is lower than half its width is slid"
+        return f"{lengths}: only what is lower than three quarters of its width is slid"
     return ""
 
 

@@ -90,6 +90,77 @@ TEST(Pinch, RefusesByLengths) {
   EXPECT_EQ(flat.reason.rfind("5 mm high; ", 0), 0U) << flat.reason;
 }
 
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at))
+    text.replace(at, old.size(), by), at += by.size();
+  return text;
+}
+
+/// The WAM with the jaws of a parallel gripper: plates of 20 x 10 mm that end at its fingertips.
+robot::Robot with_plates() {
+  std::string urdf = slide::wam().urdf();
+  urdf = replaced(urdf, "0 0 0.0485\"/><geometry><cylinder radius=\"0.013\" length=\"0.097\"/>",
+                  "0 0 0.055\"/><geometry><box size=\"0.02 0.01 0.11\"/>");
+  urdf = replaced(urdf, "<sphere radius=\"0.013\"/>", "<sphere radius=\"0.001\"/>");
+  for (const std::string side : {"left", "right"}) {
+    urdf = replaced(urdf, side + "_finger_joint\" type=\"revolute\"",
+                    side + "_finger_joint\" type=\"prismatic\"");
+  }
+  const std::string limits = " lower=\"0\" upper=\"1.2\"";
+  urdf = replaced(urdf, "\"1 0 0\"/><limit" + limits, "\"0 -1 0\"/><limit" + limits);
+  urdf = replaced(urdf, "\"-1 0 0\"/><limit" + limits, "\"0 1 0\"/><limit" + limits);
+  robot::Robot::Options options = slide::wam().options();
+  options.srdf = replaced(options.srdf, "value=\"0.281\"", "value=\"0.0345\"");
+  return robot::Robot::from_urdf(replaced(urdf, limits, " lower=\"0\" upper=\"0.035\""), options);
+}
+
+/// With contacts near the ends of the pads, the hand closes on lower objects.
+TEST(Pinch, TakesLowObjectsWithTheEndsOfItsPads) {
+  Problem problem = standing(rectangle(0.16, 0.02), 0.012);
+  problem.robot = with_plates();
+  problem.hand.finger_model = slide::FingerModel::none;
+  const Plan deep = pinch::plan(problem);
+  EXPECT_EQ(deep.status, Status::too_flat) << deep.reason;
+  Options options;
+  options.depth = 0.003;
+  options.height = 0;
+  const Plan found = pinch::plan(problem, options);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(joined(check(problem, found, options)), "");
+  EXPECT_NEAR(found.contacts_O(2, 0), options.clearance + options.depth, 1e-3);
+}
+
+/// The contacts are as near to the asked height as the fingers and the top allow.
+TEST(Pinch, TakesTheHeightThatIsAskedFor) {
+  const Problem problem = standing(rectangle(0.1, 0.03), 0.12);
+  Options options;
+  for (const double height : {0.03, 0.05, 0.08}) {
+    options.height = height;
+    const Plan found = pinch::plan(problem, options);
+    ASSERT_TRUE(found) << found.reason;
+    EXPECT_EQ(joined(check(problem, found, options)), "");
+    EXPECT_DOUBLE_EQ(found.contacts_O(2, 0), height);
+  }
+  options.height = 1;
+  const Plan top = pinch::plan(problem, options);
+  ASSERT_TRUE(top) << top.reason;
+  EXPECT_DOUBLE_EQ(top.contacts_O(2, 0), 0.12 - options.clearance);
+}
+
+/// Unless a height is asked for, the fingers keep a little more than the least clearance.
+TEST(Pinch, KeepsOffTheSupportWhereTheObjectIsHigher) {
+  Problem problem = standing(rectangle(0.1, 0.02), 0.022);
+  problem.robot = with_plates();
+  problem.hand.finger_model = slide::FingerModel::none;
+  Options options;
+  const Plan spare = pinch::plan(problem, options);
+  options.height = 0.011;
+  const Plan nearest = pinch::plan(problem, options);
+  ASSERT_TRUE(spare && nearest) << spare.reason << nearest.reason;
+  EXPECT_NEAR(nearest.contacts_O(2, 0), 0.01 + options.clearance, 1e-3);
+  EXPECT_NEAR(spare.contacts_O(2, 0) - nearest.contacts_O(2, 0), 0.002, 1e-4);
+}
+
 /// A bar whose outline a noisy camera saw.
 geometry::Polygon ragged_bar(unsigned seed) {
   std::mt19937_64 rng(seed);

@@ -583,6 +583,7 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
   blob(1, 7) = std::numeric_limits<double>::quiet_NaN();
   expect_refused([&] { Object::from_cloud("holey", blob); }, "1 points that are not finite");
   expect_refused([&] { Object::from_polygon("brick", geometry::square(.1), .08); }, "not thin");
+  EXPECT_TRUE(Object::from_polygon("loaf", geometry::square(.1), .07).is_thin());
   expect_refused([&] { Object::from_polygon("film", geometry::square(.1), 0); }, "thickness");
   expect_refused([&] { Object::from_polygon("hall", geometry::square(100), .001); },
                  "spacing 0.006 m gives 2.77778e+08 points on 100 x 100 m");
@@ -594,6 +595,20 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
   expect_refused([&] { objects()[0].scaled(0.02); }, "thick");
   expect_refused([&] { Object::from_cloud("far", 1e160 * Eigen::Matrix3Xd::Random(3, 9)); },
                  "must lie within 10000 m of the origin along x and y");
+}
+
+/// The drag of the support, below the finger, has a lever of the thickness.
+TEST(Object, RefusesWhatFrictionOfTheSupportWouldTip) {
+  const Object loaf = Object::from_polygon("loaf", geometry::square(.1), .07);
+  const auto on = [&](double friction) {
+    const Support table(geometry::square(.8), flat(.7, 0, 0), 0.04, 0.06, friction);
+    return make_problem(table, loaf, flat(0, 0, 0));
+  };
+  Options options;
+  options.friction_spread = 0.2;
+  EXPECT_NO_THROW(validate(on(.59), options));
+  expect_refused([&] { validate(on(.6), options); },
+                 "friction of the support must be at most 0.714286, not 0.720000");
 }
 
 TEST(Object, CenterOfMassOfADistribution) {

@@ -17,6 +17,8 @@ struct Options {
   double max_lever = 0.08;
   std::optional<double> grip_force;
   double patch = 0.008;
+  double depth = 0.01;
+  std::optional<double> height;
   double approach = 0.08;
   int grasps = 300;
   double resolution = 0.01;
@@ -50,6 +52,14 @@ constexpr auto fields(const Options&) {
             "Half length of a pad's contact with a wall of an object with heights. The wall rises "
             "by as much above the contacts.",
             Range::left_open(0, 0.1)},
+      Field{"depth", &Options::depth, "m",
+            "Distance of the contacts from the ends of the pads, at most half the length of a pad. "
+            "With 0.003, low objects can be pinched.",
+            Range::left_open(0, 0.1)},
+      Field{"height", &Options::height, "m",
+            "Height of the contacts over the support that is tried first, or the nearest to it at "
+            "which the fingers fit. By default half the thickness, or that of a wall.",
+            Range::closed(0, 10)},
       Field{"approach", &Options::approach, "m",
             "Length of the straight motion of the open hand onto the object.",
             Range::left_open(0, 0.5)},

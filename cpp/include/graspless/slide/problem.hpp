@@ -71,7 +71,8 @@ class GRASPLESS_API Object {
   bool has_face_at(const Eigen::Vector2d& p_O, double radius) const;
   /// Largest height within `radius` of a point [m]: the thickness of a prism.
   double height_near(const Eigen::Vector2d& p_O, double radius) const;
-  bool is_thin() const;  ///< true if the thickness is at most half the least width
+  bool is_thin() const;        ///< true if the thickness is at most 3/4 of the least width
+  double least_width() const;  ///< across an edge of the outline [m]
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
   double mass() const { return mass_; }                ///< [kg]
   /// True if the underside may be hollow: the object may rest on the rim of its outline alone.
