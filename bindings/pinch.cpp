@@ -27,9 +27,8 @@ void bind_plan(py::module_& m) {
   field(Field{"friction", &Plan::friction,
               "Coefficient of friction that the pinch needs: the tangent of the larger angle "
               "between the closing direction and the normal of a face."});
-  field(
-      Field{"max_mass", &Plan::max_mass,
-            "Largest mass that the pads hold by a wall [kg]; None for an object without heights."});
+  field(Field{"max_mass", &Plan::max_mass,
+              "Largest mass that the pads hold [kg]; None if nobody knows the force of the hand."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def_property(
           "X_WH_grasp", [](const Plan& self) { return from_pose(self.X_WH_grasp); },

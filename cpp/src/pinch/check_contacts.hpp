@@ -15,6 +15,13 @@ namespace graspless::pinch {
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,
                                    const Options& options);
 
+/// Tests whether the pads bear the object between the contacts of a plan, and whether its max_mass
+/// is as low as what they bear. `friction`: tangent of the faces' slopes. `rise`: of the contacts
+/// above the middle of the pads [m]. Returns faults; none of an object without heights if nobody
+/// knows the force of the hand.
+std::vector<std::string> faults_of_load(const Problem& problem, const Plan& plan,
+                                        const Options& options, double friction, double rise);
+
 /// Tests whether the contacts of a plan lie on opposite faces of the outline, near enough to the
 /// centre of mass. Returns faults.
 std::vector<std::string> faults_of_faces(const Problem& problem, const Plan& plan,

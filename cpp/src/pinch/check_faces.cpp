@@ -38,6 +38,8 @@ class FacesExamination {
     if (lever > options_.max_lever + kOnLine)
       fault("plan", "the centre of mass is " + figure(lever) + " m from the line of contacts");
     for (int i = 0; i < 2; ++i) check_face(i, i == 0 ? Vector2d(-line) : line);
+    for (const std::string& what : faults_of_load(problem_, plan_, options_, plan_.friction, 0))
+      fault("plan", what);
     return faults_;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "pinch/check_contacts.hpp"
 
@@ -14,6 +15,15 @@ namespace {
 
 constexpr double kMotorShare = 0.5;  // of the effort limit of a joint that grips
 constexpr double kStill = 1e-3;      // of the fingers' motion per unit of a joint [m/rad or 1]
+constexpr double kWeight = 9.81;     // of a kilogram [N]
+constexpr double kMeasured = 0.15;   // of masses, relative
+constexpr double kHangs = 0.1;       // of an object that hangs from the hand [rad]
+
+std::string figure(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
 
 /// The link of one side of the hand that is farthest along a direction.
 struct Foremost {
@@ -70,6 +80,41 @@ std::optional<double> finger_force(const Problem& problem, const Plan& plan,
     least = std::min(least, kMotorShare * limit / rate);
   }
   return std::isfinite(least) ? least : 0;
+}
+
+/// The pads bear force, twist and tilt: see largest_mass().
+std::vector<std::string> faults_of_load(const Problem& problem, const Plan& plan,
+                                        const Options& options, double friction, double rise) {
+  const bool is_wall = problem.object.heights().has_value();
+  const std::optional<double> press = finger_force(problem, plan, options);
+  if (!press && !is_wall) return {};  // nothing is said about the load
+  if (!press) return {"the effort limit of a joint that closes the hand is unknown"};
+  const Eigen::Vector2d a = plan.contacts_O.col(0).head<2>(), b = plan.contacts_O.col(1).head<2>(),
+                        line = (b - a).normalized(),
+                        arm = problem.object.com().head<2>() - (a + b) / 2;
+  const double mass = problem.object.mass(), weight = kWeight * mass,
+               mu = problem.hand.pad_friction,
+               swing = kHangs * std::max(0.0, plan.contacts_O(2, 0) - problem.object.com().z()),
+               between = is_wall ? 0 : (b - a).norm() / 2;  // both contacts of a prism bear
+  const double left = mu - std::min(friction, plan.friction), half = options.patch - rise;
+  const double along = std::max(0.0, std::abs(arm.x() * line.y() - arm.y() * line.x()) - swing),
+               across = std::max(0.0, std::abs(arm.dot(line)) - between - swing);
+  if (left <= 0 || (half <= 0 && across > 0)) {
+    return {left <= 0 ? "its slopes need all friction of the pads"
+                      : "nobody saw a face as low as the pads reach"};
+  }
+  const double slips = weight / (2 * left * *press),
+               twists = weight * along / (4 * mu * options.patch * *press / 3),
+               tilts = across > 0 ? weight * across / (2 * half * *press) : 0;
+  const double load = std::max(std::hypot(slips, twists), tilts), bears = mass / load;
+  std::vector<std::string> faults;
+  if (load > 1 + kMeasured)
+    faults.push_back("the pads bear " + figure(bears) + " kg there, it weighs " + figure(mass) +
+                     " kg");
+  if (is_wall && !plan.max_mass) faults.push_back("max_mass is missing");
+  if (plan.max_mass && !(*plan.max_mass <= (1 + kMeasured) * bears))
+    faults.push_back("max_mass must be at most the " + figure(bears) + " kg that the pads bear");
+  return faults;
 }
 
 }  // namespace graspless::pinch

@@ -16,10 +16,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kEqual = 1e-6;         // heights [m], tangents
-constexpr double kWeight = 9.81;        // of a kilogram [N]
-constexpr double kMeasuredMass = 0.15;  // relative
-constexpr double kHangs = 0.1;          // of an object that hangs from the hand [rad]
+constexpr double kEqual = 1e-6;  // heights [m], tangents
 
 class WallExamination {
  public:
@@ -51,7 +48,8 @@ class WallExamination {
     const double friction = std::max(wall.friction[0], wall.friction[1]);
     if (!(plan_.friction >= friction - kEqual))
       fault("friction must be at least the " + figure(friction) + " that its slopes need");
-    check_mass(friction, wall.rise);
+    for (const std::string& what : faults_of_load(problem_, plan_, options_, friction, wall.rise))
+      fault(what);
     return faults_;
   }
 
@@ -80,38 +78,6 @@ class WallExamination {
       faults_.push_back(where + ": the wall slopes by a tangent of " + figure(wall.friction[side]) +
                         ", which exceeds the friction");
     }
-  }
-
-  /// The pads bear force, twist and tilt: see largest_mass().
-  void check_mass(double friction, double rise) {
-    const Vector2d arm = problem_.object.com().head<2>() - middle_;
-    const std::optional<double> force = finger_force(problem_, plan_, options_);
-    if (!force) {
-      fault("the effort limit of a joint that closes the hand is unknown");
-      return;
-    }
-    const double press = *force, mu = problem_.hand.pad_friction,
-                 weight = kWeight * problem_.object.mass(),
-                 swing = kHangs * std::max(0.0, height_ - problem_.object.com().z());
-    const double left = mu - std::min(friction, plan_.friction), half = options_.patch - rise;
-    const double along = std::max(0.0, std::abs(arm.dot(along_)) - swing),
-                 across = std::max(0.0, std::abs(arm.dot(across_)) - swing);
-    if (left <= 0 || (half <= 0 && across > 0)) {
-      fault(left <= 0 ? "its slopes need all friction of the pads"
-                      : "nobody saw a face as low as the pads reach");
-      return;
-    }
-    const double slips = weight / (2 * left * press),
-                 twists = weight * along / (4 * mu * options_.patch * press / 3),
-                 tilts = across > 0 ? weight * across / (2 * half * press) : 0;
-    const double load = std::max(std::sqrt(slips * slips + twists * twists), tilts);
-    if (load > 1 + kMeasuredMass) {
-      fault("the pads bear " + figure(problem_.object.mass() / load) + " kg there, it weighs " +
-            figure(problem_.object.mass()) + " kg");
-    }
-    const double bears = problem_.object.mass() / load;
-    if (!plan_.max_mass || !(*plan_.max_mass <= (1 + kMeasuredMass) * bears))
-      fault("max_mass must be at most the " + figure(bears) + " kg that the pads bear");
   }
 
   const Problem& problem_;

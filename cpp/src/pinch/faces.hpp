@@ -25,9 +25,9 @@ struct Faces {
   /// How far the pads' contacts may be above the middle of the pads, because nobody saw a face
   /// lower down [m].
   double rise = 0;
-  double max_mass = 0;                          ///< largest that the pads hold there [kg]
-  double load = 0;                              ///< mass of the object, relative to max_mass
-  std::optional<double> height = std::nullopt;  ///< of the contacts, where the faces have one [m]
+  std::optional<double> max_mass = std::nullopt;  ///< largest that the pads hold there [kg]
+  double load = 0;                                ///< mass of the object, relative to max_mass
+  std::optional<double> height = std::nullopt;    ///< of the contacts, where the faces have one [m]
   Eigen::Vector2d middle() const { return (first + second) / 2; }
 };
 

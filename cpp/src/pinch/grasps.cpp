@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "pinch/face_measure.hpp"
+#include "pinch/press.hpp"
+#include "pinch/walls.hpp"
 
 namespace graspless::pinch {
 
@@ -72,10 +74,33 @@ class Selection {
                         " or more from the centre of mass, at most " + in_mm(options_.max_lever) +
                         " is allowed");
     }
-    return faces;
+    return bearing(std::move(faces), result);
   }
 
  private:
+  /// Faces at which the pads hold the object, or all if nobody knows how hard the hand presses.
+  std::vector<Faces> bearing(std::vector<Faces> faces, Grasps& result) const {
+    const Press press(problem_, options_, jaw_);
+    if (!press.unknown().empty()) return faces;
+    const Vector2d com = problem_.object.com().head<2>();
+    for (Faces& pair : faces) {
+      const Pads pads{problem_.hand.pad_friction, press.at(pair.width), options_.patch};
+      const Vector2d closing = (pair.second - pair.first).normalized();
+      const double across = std::abs(closing.dot(com - pair.middle())) - pair.width / 2;
+      pair.offset = std::max(0.0, across);  // of a centre of mass that is not between the fingers
+      pair.max_mass = largest_mass(pair, pads);
+      pair.offset = 0;
+    }
+    const Faces best =
+        *std::max_element(faces.begin(), faces.end(),
+                          [](const Faces& a, const Faces& b) { return a.max_mass < b.max_mass; });
+    const double mass = problem_.object.mass();
+    keep(faces, [&](const Faces& pair) { return pair.max_mass >= mass; });
+    if (!faces.empty()) return faces;
+    return refuse(result, Status::too_heavy,
+                  too_heavy("faces that are", best.lever, best, press.at(best.width), mass));
+  }
+
   static std::vector<Faces> refuse(Grasps& result, Status status, const std::string& reason) {
     result.status = status;
     result.reason = reason;
@@ -166,6 +191,16 @@ double cost(const Faces& faces) {
 std::string in_mm(double length) {
   char text[32];
   std::snprintf(text, sizeof text, "%.0f mm", 1000 * length);
+  return text;
+}
+
+std::string too_heavy(const std::string& held_by, double away, const Faces& best, double press,
+                      double mass) {
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "held by %s %.0f mm from the centre of mass, the pads bear %.2f kg at %.3g N a "
+                "finger; it weighs %.2f kg",
+                held_by.c_str(), 1000 * away, *best.max_mass, press, mass);
   return text;
 }
 

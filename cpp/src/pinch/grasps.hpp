@@ -45,6 +45,11 @@ double cost(const Faces& faces);
 /// Rounded length for a reason: "118 mm".
 std::string in_mm(double length);
 
+/// Reason why an object of `mass` is too heavy for the best of some faces, which are `away` from
+/// its centre of mass.
+std::string too_heavy(const std::string& held_by, double away, const Faces& best, double press,
+                      double mass);
+
 /// Finds hand poses by the lengths of hand and object alone.
 Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw);
 

@@ -154,7 +154,7 @@ class Search {
     plan.reason.clear();
     plan.X_WH_grasp = pinch.grasp.X_WH;
     plan.friction = pinch.grasp.faces.friction;
-    if (problem_.object.heights()) plan.max_mass = pinch.grasp.faces.max_mass;
+    plan.max_mass = pinch.grasp.faces.max_mass;
     plan.contacts_O.resize(3, 2);
     plan.contacts_O.topRows<2>() << pinch.grasp.faces.first, pinch.grasp.faces.second;
     plan.contacts_O.row(2).setConstant(pinch.grasp.height);

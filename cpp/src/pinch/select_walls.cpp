@@ -144,7 +144,7 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
   for (Faces& wall : faces) {
     const Pads pads{problem.hand.pad_friction, press.at(wall.width), options.patch};
     wall.max_mass = largest_mass(wall, pads);
-    wall.load = problem.object.mass() / wall.max_mass;
+    wall.load = problem.object.mass() / *wall.max_mass;
   }
   const Faces best = least_of(faces, [](const Faces& wall) { return wall.load; });
   keep(faces, [](const Faces& wall) { return wall.load <= 1; });
@@ -158,11 +158,9 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
                 "view from another side may help",
                 1000 * options.patch, away));
   }
-  return refused_walls(
-      result, Status::too_heavy,
-      text_of("held by a wall that is %.0f mm from the centre of mass, the pads bear %.2f kg at "
-              "%.3g N a finger; it weighs %.2f kg",
-              away, best.max_mass, press.at(best.width), problem.object.mass()));
+  return refused_walls(result, Status::too_heavy,
+                       too_heavy("a wall that is", std::hypot(best.lever, best.offset), best,
+                                 press.at(best.width), problem.object.mass()));
 }
 
 }  // namespace

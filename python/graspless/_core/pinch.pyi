@@ -308,7 +308,7 @@ class Plan:
     @property
     def max_mass(self) -> float | None:
         """
-        Largest mass that the pads hold by a wall [kg]; None for an object without heights.
+        Largest mass that the pads hold [kg]; None if nobody knows the force of the hand.
         """
     @max_mass.setter
     def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:

@@ -41,7 +41,7 @@ class PinchPlanFile(PlanFields):
     friction: float = Field(description="coefficient of friction that the pinch needs")
     max_mass: float | None = Field(
         default=None,
-        description="largest mass that the pads hold by a wall [kg]; only with heights",
+        description="largest mass that the pads hold [kg]; null if the hand's force is unknown",
     )
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the pinch")
     contacts_O: Annotated[list[Point3], Field(max_length=2)] = Field(

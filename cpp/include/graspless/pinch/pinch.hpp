@@ -56,7 +56,8 @@ constexpr auto choices(Status) {
           "No two faces are opposite each other, or those that fit the hand are too far from the "
           "centre of mass."},
       Choice{Status::too_heavy, "too_heavy",
-             "Held by a wall that fits the hand, the object would turn in the hand or slip out."},
+             "Held by faces or a wall that fit the hand, the object would turn in the hand or slip "
+             "out."},
       Choice{Status::unknown_force, "unknown_force",
              "The URDF has no effort limit for a joint that closes the hand, and "
              "options.grip_force is not given."},
@@ -110,7 +111,7 @@ struct Plan {
   Eigen::Matrix3Xd contacts_O;  ///< the two contacts, in O; no columns unless solved [m]
   double opening = 0;           ///< of the open hand [m]
   double friction = 0;          ///< coefficient that the pinch needs
-  /// Largest mass that the pads hold by a wall [kg]; nothing is said of an object without heights.
+  /// Largest mass that the pads hold [kg]; nothing if nobody knows the force of the hand.
   std::optional<double> max_mass;
   Statistics statistics;
   explicit operator bool() const { return status == Status::solved; }
