@@ -538,3 +538,25 @@ def test_mesh_paths_survive_another_folder(tmp_path):
     written = found.write(tmp_path / "elsewhere")
     again = robot.Robot.from_urdf_file(str(written[0]))
     assert any(isinstance(placed.shape, geometry.Mesh) for _, placed in again.shapes)
+
+
+@pytest.mark.parametrize(
+    ("hand", "effort", "value", "is_sure", "words"),
+    [
+        (small.prismatic(), "50", "25 N", True, "effort limit of slide_left"),  # one for both
+        (small.prismatic(mimic=False), "50", "50 N", True, "effort limit of slide_left"),
+        (small.prismatic(), "5000", "2.5e+03 N", False, "write the real limit into the URDF"),
+        (small.prismatic(), None, "unknown", False, "no effort limit of slide_left"),
+    ],
+)
+def test_the_force_of_the_grip_is_that_of_virtual_work(hand, effort, value, is_sure, words):
+    given = ' effort="50"'
+    urdf = small.gripper("gripper", hand)
+    arm, gripper = urdf.split('<link name="palm">')
+    changed = gripper.replace(given, f' effort="{effort}"' if effort else "")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the missing limit
+        proposal = robot.inspect(read(f'{arm}<link name="palm">{changed}'))
+    (grip,) = (finding for finding in proposal.findings if finding.field == "grip force")
+    assert (grip.value, grip.is_sure) == (value, is_sure)
+    assert words in grip.reason

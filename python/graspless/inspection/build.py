@@ -14,6 +14,7 @@ from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, group_names, make_srdf, with_frames
 from .fist import find_fist
+from .grip import describe_grip
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
 from .pairs import find_pairs
@@ -190,6 +191,7 @@ class _Builder:
             is_sure = SMALLEST < size < most
             limits = "" if is_sure else f", limited to {_mm(SMALLEST)} and {_mm(most)}"
             self.find(field, _mm(size), why + limits, is_sure)
+        self.find("grip force", *describe_grip(self.tree, jaws))
         for field, value in DEFAULTS.items():
             self.find(field, f"{value:g}", "the default of slides; it is not in a URDF", False)
 
