@@ -78,7 +78,8 @@ def pick(
     respect : str
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     mass : float, optional
-        Mass of the object [kg]: needed to tumble and push it. Walls and slides count with it, too.
+        Mass of the object [kg], which grasps must bear and slides count with. Needed to tumble and
+        push it.
     grip_force : float, optional
         Force of each finger of the hand when it pinches [N]. Otherwise that of half the effort
         limits of the joints that close it; walls are not pinched by a hand without such limits.

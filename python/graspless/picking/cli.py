@@ -69,7 +69,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--max-age", type=float, metavar="S", help="refuse a scene whose images are older [s]"
     )
     parser.add_argument(
-        "--mass", type=float, metavar="KG", help="mass, needed to tumble and push [kg]"
+        "--mass",
+        type=float,
+        metavar="KG",
+        help="mass that the fingers must bear; needed to tumble and push [kg]",
     )
     parser.add_argument(
         "--grip-force",

@@ -62,7 +62,8 @@ class Way:
         Part of the pad's length that may not bear.
     pads : float or None
         Distance of a pinch's contacts from the ends of the pads, and half of their length, if not
-        those of the planner [m]. They are as low as possible then.
+        those of the planner [m]. They are as low as possible then. Tried where the others were
+        too high.
     """
 
     smooth: float = 0.0
@@ -97,7 +98,7 @@ WAYS = {
 def ways_of(strategy: str, wish: Wish) -> list[Way]:
     """Returns the ways to ask for a strategy. Only what is flat on top is slid as a prism."""
     ways = WAYS[strategy]
-    if KINDS.get(strategy, strategy) == "pinch" and float(wish.thing.thickness) < LOW:
+    if strategy == "pinch" and float(wish.thing.thickness) < LOW:
         return [*ways, replace(ways[0], pads=PAD_ENDS)]
     if strategy != "slide":
         return ways

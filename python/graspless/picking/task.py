@@ -38,7 +38,9 @@ class PickTask(Fields):
     max_age: Positive | None = Field(
         default=None, description="largest age of the images of the scene [s]"
     )
-    mass: Positive | None = Field(default=None, description="mass, needed to tumble and push [kg]")
+    mass: Positive | None = Field(
+        default=None, description="mass, which grasps must bear; needed to tumble and push [kg]"
+    )
     grip_force: Annotated[float, Field(gt=0, le=1000)] | None = Field(
         default=None, description="force of each finger that pinches [N]"
     )

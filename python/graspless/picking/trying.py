@@ -127,7 +127,10 @@ def _plan(
     Returns the last plan, what speaks against it, and its faults.
     """
     began = time.monotonic()
+    status = doubted = ""
     for way in ways_of(strategy, wish):
+        if way.pads is not None and not doubted and status != "too_flat":
+            continue
         document = chain_of(strategy, wish, seed, seconds, way)
         task = task_from_dict(document, strategy, resolve=True).with_changes(
             iterations=way.iterations
@@ -145,6 +148,7 @@ def _plan(
             faults = check(plan)
             if not faults:
                 break
+        status = str(plan.status)
         if time.monotonic() - began >= seconds:
             break
     return plan, doubted, faults
