@@ -37,8 +37,13 @@ class FacesExamination {
     const double lever = std::abs(arm.x() * line.y() - arm.y() * line.x());
     if (lever > options_.max_lever + kOnLine)
       fault("plan", "the centre of mass is " + figure(lever) + " m from the line of contacts");
-    for (int i = 0; i < 2; ++i) check_face(i, i == 0 ? Vector2d(-line) : line);
-    for (const std::string& what : faults_of_load(problem_, plan_, options_, plan_.friction, 0))
+    double friction = 0;
+    for (int i = 0; i < 2; ++i)
+      friction = std::max(friction, check_face(i, i == 0 ? Vector2d(-line) : line));
+    if (!(plan_.friction >= friction))
+      fault("plan", "friction must be at least the " + figure(friction) + " that its slopes need");
+    for (const std::string& what :
+         faults_of_load(problem_, plan_, options_, std::max(friction, plan_.friction), 0))
       fault("plan", what);
     return faults_;
   }
@@ -54,16 +59,21 @@ class FacesExamination {
   }
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }
 
-  /// The outline around a contact leans by no more than the friction allows.
-  void check_face(int i, const Vector2d& outward) {
+  /// The outline around a contact leans by no more than the friction allows. Returns the least
+  /// coefficient that its slope needs, as measured in two ways.
+  double check_face(int i, const Vector2d& outward) {
     const std::string where = "contact " + std::to_string(i);
     const std::optional<double> slope =
         steepest_around(problem_.object.outline(), contact(i).head<2>(), outward);
-    if (!slope) return fault(where, "there is no face around it");
+    if (!slope) {
+      fault(where, "there is no face around it");
+      return 0;
+    }
     if (!is_held(*slope, options_.friction)) {
       fault(where,
             "the face leans by a tangent of " + figure(*slope) + ", which exceeds the friction");
     }
+    return least_friction(*slope);
   }
 
   const Problem& problem_;

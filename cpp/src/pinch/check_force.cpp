@@ -49,6 +49,21 @@ Foremost foremost(const Problem& problem, const robot::Poses& X_WL, const Vector
   return found;
 }
 
+/// Half length of the contact of a pad with the face of a prism: the pad ends with the finger, the
+/// face with the object [m].
+double pad_on_prism(const Problem& problem, const Plan& plan, const Options& options) {
+  const robot::Robot& robot = problem.robot;
+  robot::Poses X_WL;
+  robot.forward(plan.segments.back().positions.back(), X_WL);
+  const Vector3d down = -problem.support.normal_W();
+  double lowest = -std::numeric_limits<double>::infinity();
+  for (const bool sliding : {false, true})
+    lowest = std::max(lowest, foremost(problem, X_WL, down, sliding).extent);
+  const double height = plan.contacts_O(2, 0),
+               below = lowest - down.dot(problem.X_WO_start * plan.contacts_O.col(0));
+  return std::min({options.patch, below, height, problem.object.thickness() - height});
+}
+
 }  // namespace
 
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,
@@ -87,30 +102,35 @@ std::vector<std::string> faults_of_load(const Problem& problem, const Plan& plan
                                         const Options& options, double friction, double rise) {
   const bool is_wall = problem.object.heights().has_value();
   const std::optional<double> press = finger_force(problem, plan, options);
-  if (!press && !is_wall) return {};  // nothing is said about the load
-  if (!press) return {"the effort limit of a joint that closes the hand is unknown"};
-  const Eigen::Vector2d a = plan.contacts_O.col(0).head<2>(), b = plan.contacts_O.col(1).head<2>(),
-                        line = (b - a).normalized(),
-                        arm = problem.object.com().head<2>() - (a + b) / 2;
-  const double mass = problem.object.mass(), weight = kWeight * mass,
-               mu = problem.hand.pad_friction,
-               swing = kHangs * std::max(0.0, plan.contacts_O(2, 0) - problem.object.com().z()),
-               between = is_wall ? 0 : (b - a).norm() / 2;  // both contacts of a prism bear
-  const double left = mu - std::min(friction, plan.friction), half = options.patch - rise;
-  const double along = std::max(0.0, std::abs(arm.x() * line.y() - arm.y() * line.x()) - swing),
-               across = std::max(0.0, std::abs(arm.dot(line)) - between - swing);
+  if (!press) {
+    if (!is_wall && !plan.max_mass) return {};  // nothing is said about the load
+    return {"the effort limit of a joint that closes the hand is unknown"};
+  }
+  const Vector3d a = plan.contacts_O.col(0), b = plan.contacts_O.col(1),
+                 line = (b - a).normalized(),
+                 down = problem.X_WO_start.linear().transpose() * -Vector3d::UnitZ(),
+                 arm = problem.object.com() - (a + b) / 2;
+  const double mass = problem.object.mass(), weight = kWeight * mass, width = (b - a).norm(),
+               mu = problem.hand.pad_friction, swing = kHangs * std::max(0.0, arm.dot(down)),
+               patch = is_wall ? options.patch : pad_on_prism(problem, plan, options);
+  const double left = mu - friction, half = patch - rise;
+  const double along = std::max(0.0, std::abs(arm.cross(down).dot(line)) - swing),
+               aside = arm.cross(down).cross(line).norm(),
+               between = is_wall ? 0 : std::min(aside, width / 2),
+               across = std::max(0.0, aside - between - swing);
   if (left <= 0 || (half <= 0 && across > 0)) {
     return {left <= 0 ? "its slopes need all friction of the pads"
                       : "nobody saw a face as low as the pads reach"};
   }
-  const double slips = weight / (2 * left * *press),
-               twists = weight * along / (4 * mu * options.patch * *press / 3),
+  const double slips = weight * (0.5 + between / width) / (left * *press),
+               twists = along > 0 ? weight * along / (4 * mu * patch * *press / 3) : 0,
                tilts = across > 0 ? weight * across / (2 * half * *press) : 0;
   const double load = std::max(std::hypot(slips, twists), tilts), bears = mass / load;
   std::vector<std::string> faults;
-  if (load > 1 + kMeasured)
+  if (!(load <= 1 + kMeasured)) {
     faults.push_back("the pads bear " + figure(bears) + " kg there, it weighs " + figure(mass) +
                      " kg");
+  }
   if (is_wall && !plan.max_mass) faults.push_back("max_mass is missing");
   if (plan.max_mass && !(*plan.max_mass <= (1 + kMeasured) * bears))
     faults.push_back("max_mass must be at most the " + figure(bears) + " kg that the pads bear");

@@ -12,8 +12,6 @@
 
 namespace graspless::pinch {
 
-using Eigen::Vector2d;
-
 namespace {
 
 constexpr double kEqual = 1e-6;  // heights [m], tangents
@@ -25,13 +23,8 @@ class WallExamination {
         options_(options),
         plan_(plan),
         map_(*problem.object.heights()),
-        middle_((plan.contacts_O.col(0) + plan.contacts_O.col(1)).head<2>() / 2),
-        across_((plan.contacts_O.col(1) - plan.contacts_O.col(0)).head<2>()),
-        width_(across_.norm()),
-        height_(plan.contacts_O(2, 0)) {
-    across_ /= width_;
-    along_ = Vector2d(across_.y(), -across_.x());
-  }
+        width_((plan.contacts_O.col(1) - plan.contacts_O.col(0)).head<2>().norm()),
+        height_(plan.contacts_O(2, 0)) {}
 
   std::vector<std::string> run() {
     const std::string misplaced = why_misplaced();
@@ -84,7 +77,6 @@ class WallExamination {
   const Options& options_;
   const Plan& plan_;
   const geometry::HeightMap& map_;
-  Vector2d middle_, across_, along_;
   double width_, height_;
   std::vector<std::string> faults_;
 };

@@ -56,6 +56,10 @@ std::optional<double> steepest_around(const geometry::Polygon& outline, const Ve
   return steepest;
 }
 
+double least_friction(double slope) {
+  return std::tan(std::max(0.0, std::atan(std::abs(slope)) - kSlack));
+}
+
 bool is_held(double slope, double friction) {
   return std::atan(std::abs(slope)) <= std::atan(friction) + kSlack;
 }

@@ -19,6 +19,9 @@ std::optional<double> steepest_around(const geometry::Polygon& outline,
                                       const Eigen::Vector2d& contact,
                                       const Eigen::Vector2d& outward);
 
+/// Returns the least coefficient of friction that may hold a pad on a slope that was measured.
+double least_friction(double slope);
+
 /// Returns true if a coefficient of friction holds a pad on a slope that was measured.
 bool is_held(double slope, double friction);
 

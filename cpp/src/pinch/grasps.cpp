@@ -8,8 +8,7 @@
 #include <limits>
 
 #include "pinch/face_measure.hpp"
-#include "pinch/press.hpp"
-#include "pinch/walls.hpp"
+#include "pinch/poses.hpp"
 
 namespace graspless::pinch {
 
@@ -17,13 +16,8 @@ using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kTilts[] = {0, kPi / 6, -kPi / 6, kPi / 3, -kPi / 3, kPi / 2, -kPi / 2};
 constexpr std::size_t kFacesPerDirection = 2;
-constexpr double kApart = 0.02;        // between faces of one direction [m]
-constexpr double kLever = 0.05;        // costs as much as a coefficient of friction of 1 [m]
-constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
-constexpr double kSameHeight = 0.008;  // [m]
-constexpr double kSpare = 0.002;  // to the least height of contacts, where the object is higher [m]
+constexpr double kApart = 0.02;  // between faces of one direction [m]
 
 std::string slippery(double needed, double allowed) {
   char text[128];
@@ -74,33 +68,10 @@ class Selection {
                         " or more from the centre of mass, at most " + in_mm(options_.max_lever) +
                         " is allowed");
     }
-    return bearing(std::move(faces), result);
+    return faces;
   }
 
  private:
-  /// Faces at which the pads hold the object, or all if nobody knows how hard the hand presses.
-  std::vector<Faces> bearing(std::vector<Faces> faces, Grasps& result) const {
-    const Press press(problem_, options_, jaw_);
-    if (!press.unknown().empty()) return faces;
-    const Vector2d com = problem_.object.com().head<2>();
-    for (Faces& pair : faces) {
-      const Pads pads{problem_.hand.pad_friction, press.at(pair.width), options_.patch};
-      const Vector2d closing = (pair.second - pair.first).normalized();
-      const double across = std::abs(closing.dot(com - pair.middle())) - pair.width / 2;
-      pair.offset = std::max(0.0, across);  // of a centre of mass that is not between the fingers
-      pair.max_mass = largest_mass(pair, pads);
-      pair.offset = 0;
-    }
-    const Faces best =
-        *std::max_element(faces.begin(), faces.end(),
-                          [](const Faces& a, const Faces& b) { return a.max_mass < b.max_mass; });
-    const double mass = problem_.object.mass();
-    keep(faces, [&](const Faces& pair) { return pair.max_mass >= mass; });
-    if (!faces.empty()) return faces;
-    return refuse(result, Status::too_heavy,
-                  too_heavy("faces that are", best.lever, best, press.at(best.width), mass));
-  }
-
   static std::vector<Faces> refuse(Grasps& result, Status status, const std::string& reason) {
     result.status = status;
     result.reason = reason;
@@ -119,35 +90,12 @@ class Selection {
   const Jaw& jaw_;
 };
 
-/// Rotation of the hand, in S: Z_H down and tilted about Y_H, Y_H along the closing direction or
-/// against it.
-Eigen::Matrix3d rotation(const Vector2d& closing_S, int roll, double tilt) {
-  const Vector3d y = (roll == 0 ? 1 : -1) * Vector3d(closing_S.x(), closing_S.y(), 0);
-  const Vector3d z = AngleAxisd(tilt, y) * Vector3d(-Vector3d::UnitZ());
-  Eigen::Matrix3d R;
-  R << y.cross(z), y, z;
-  return R;
-}
-
-/// Heights of the contacts between two bounds: that of the faces, or the nearest to the best one,
-/// and above.
-std::vector<double> heights(const Faces& faces, double best, double least, double most) {
-  if (faces.height) {
-    return *faces.height < least ? std::vector<double>{} : std::vector<double>{*faces.height};
-  }
-  const double middle = std::clamp(best, least, most);
-  std::vector<double> found{middle};
-  for (const double height : {(middle + most) / 2, most}) {
-    if (height > found.back() + kSameHeight) found.push_back(height);
-  }
-  return found;
-}
-
-/// Drops faces that lean too much where a pad touches them, by the test of check().
+/// Drops faces that lean too much where a pad touches them, by the test of check(), and counts the
+/// friction that the others need there.
 void drop_leaning(std::vector<Faces>& faces, const Problem& problem, const Options& options,
                   Grasps& result) {
   double least = std::numeric_limits<double>::infinity();
-  const auto leans = [&](const Faces& pair) {
+  const auto leans = [&](Faces& pair) {
     const Vector2d closing = (pair.second - pair.first).normalized();
     const geometry::Polygon& outline = problem.object.outline();
     const auto first = steepest_around(outline, pair.first, -closing),
@@ -155,6 +103,7 @@ void drop_leaning(std::vector<Faces>& faces, const Problem& problem, const Optio
     if (!first || !second) return true;
     const double slope = std::max(std::abs(*first), std::abs(*second));
     least = std::min(least, slope);
+    pair.friction = std::max(pair.friction, least_friction(slope));
     return !is_held(slope, options.friction);
   };
   faces.erase(std::remove_if(faces.begin(), faces.end(), leans), faces.end());
@@ -204,6 +153,18 @@ std::string too_heavy(const std::string& held_by, double away, const Faces& best
   return text;
 }
 
+Faces weighed(Faces faces, const Problem& problem, double height) {
+  const Vector3d down = problem.X_WO_start.linear().transpose() * -Vector3d::UnitZ(),
+                 closing(std::cos(faces.yaw), std::sin(faces.yaw), 0),
+                 middle(faces.middle().x(), faces.middle().y(), height),
+                 arm = problem.object.com() - middle, torque = arm.cross(down);
+  const double twist = torque.dot(closing);
+  faces.lever = std::abs(twist);
+  faces.offset = (torque - twist * closing).norm();
+  faces.drop = arm.dot(down);
+  return faces;
+}
+
 Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& jaw) {
   Grasps result;
   const bool has_walls = problem.object.heights().has_value();
@@ -213,45 +174,9 @@ Grasps find_grasps(const Problem& problem, const Options& options, const Jaw& ja
     faces = measured_walls(std::move(faces), problem, options, jaw, result);
   if (!has_walls) drop_leaning(faces, problem, options, result);
   result.num_faces = faces.size();
-  const Isometry3d& X_WS = problem.support.X_WS();
-  const Isometry3d X_SO = X_WS.inverse() * problem.X_WO_start;
-  const double thickness = problem.object.thickness(),
-               above = has_walls ? options.patch : options.clearance, most = thickness - above,
-               best = options.height.value_or(thickness / 2), spare = options.height ? 0 : kSpare;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Faces& pair : faces) {
-    const std::optional<Grip> grip = jaw.at_width(pair.width);
-    if (!grip) continue;
-    const Vector2d closing_O(std::cos(pair.yaw), std::sin(pair.yaw));
-    const Vector2d closing_S =
-        (X_SO.linear() * Vector3d(closing_O.x(), closing_O.y(), 0)).head<2>().normalized();
-    const Vector3d p_S = X_SO * Vector3d(pair.middle().x(), pair.middle().y(), 0);
-    for (const double tilt : kTilts) {
-      for (const int roll : {0, 1}) {
-        const Eigen::Matrix3d R_SH = rotation(closing_S, roll, tilt);
-        const Vector3d down_H = -R_SH.row(2).transpose();
-        const double least =
-            options.clearance + jaw.reach(*grip, down_H) - down_H.dot(grip->contact_H);
-        lowest = std::min(lowest, least);
-        if (least > most) continue;
-        for (const double height : heights(pair, best, std::min(least + spare, most), most)) {
-          Isometry3d X_SH = Isometry3d::Identity();
-          X_SH.linear() = R_SH;
-          X_SH.translation() = Vector3d(p_S.x(), p_S.y(), height) - R_SH * grip->contact_H;
-          const double off = has_walls ? 0 : std::abs(height - best) / kLever;
-          result.all.push_back({pair, height, tilt, X_WS * X_SH,
-                                cost(pair) + kUprightTilt * std::abs(tilt) / (kPi / 2) + off});
-        }
-      }
-    }
-  }
-  if (result.all.empty() && result.status == Status::solved) {
-    result.status = Status::too_flat;
-    result.reason = in_mm(thickness) + " high; the fingers touch its faces " + in_mm(lowest) +
-                    " or more over the support, which takes a height of " + in_mm(lowest + above);
-  }
-  std::stable_sort(result.all.begin(), result.all.end(),
-                   [](const Grasp& a, const Grasp& b) { return a.cost < b.cost; });
+  Poses poses(problem, options, jaw);
+  for (const Faces& pair : faces) poses.add(pair);
+  poses.finish(result);
   return result;
 }
 

@@ -12,6 +12,8 @@
 
 namespace graspless::pinch {
 
+constexpr double kLever = 0.05;  // costs as much as a coefficient of friction of 1 [m]
+
 /// A pose of the open hand from which it closes on two faces.
 struct Grasp {
   Faces faces;
@@ -41,6 +43,10 @@ std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& probl
 
 /// The sooner faces are tried, the less.
 double cost(const Faces& faces);
+
+/// Returns faces with lever, offset and drop of the centre of mass from contacts at a height, as
+/// gravity sees them: the support may be tilted.
+Faces weighed(Faces faces, const Problem& problem, double height);
 
 /// Rounded length for a reason: "118 mm".
 std::string in_mm(double length);

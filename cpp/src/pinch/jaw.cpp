@@ -77,6 +77,7 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
 }
 
 Grip Jaw::at(const Eigen::VectorXd& q) const {
+  constexpr double kRound = 0.001;  // length of a pad that is not flat [m]
   Grip grip;
   grip.q = q;
   const Shapes own(problem_, problem_.hand.sliding_finger, grip.q),
@@ -88,8 +89,10 @@ Grip Jaw::at(const Eigen::VectorXd& q) const {
     return common(own.outermost(inward, axis), other.outermost(-inward, axis));
   };
   const auto z = along(Vector3d::UnitZ()), x = along(Vector3d::UnitX());
+  const double length = z.second - z.first, depth = std::min(depth_, length / 2);
   grip.contact_H << (x.first + x.second) / 2, -side_ * (own_face - other_face) / 2,
-      z.second - std::min(depth_, (z.second - z.first) / 2);
+      z.second - depth;
+  grip.end = length > kRound ? depth : std::numeric_limits<double>::infinity();
   grip.pad = x.second - x.first;
   return grip;
 }

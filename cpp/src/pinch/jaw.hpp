@@ -37,6 +37,7 @@ struct Grip {
   double gap;                 ///< distance between the faces [m]
   Eigen::Vector3d contact_H;  ///< midway between the contacts with the faces
   double pad;                 ///< length of the contacts along X_H [m]
+  double end;                 ///< of flat pads, beyond the contact; infinite if they are round [m]
   Eigen::VectorXd q;          ///< all joints, the arm at home
 };
 

@@ -143,7 +143,7 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
   }
   for (Faces& wall : faces) {
     const Pads pads{problem.hand.pad_friction, press.at(wall.width), options.patch};
-    wall.max_mass = largest_mass(wall, pads);
+    wall.max_mass = largest_mass(weighed(wall, problem, *wall.height), pads);
     wall.load = problem.object.mass() / *wall.max_mass;
   }
   const Faces best = least_of(faces, [](const Faces& wall) { return wall.load; });

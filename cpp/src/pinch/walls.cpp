@@ -223,7 +223,7 @@ std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& 
 
 double largest_mass(const Faces& faces, const Pads& pads) {
   const double a = pads.half, swing = kSwing * std::max(0.0, faces.drop);
-  const double force = 2 * (pads.friction - faces.friction) * pads.press,
+  const double force = (pads.friction - faces.friction) * pads.press / pads.share,
                twist = 4.0 / 3 * pads.friction * a * pads.press,
                tilt = 2 * kEven * (a - faces.rise) * pads.press;
   const double lever = std::max(0.0, faces.lever - swing),

@@ -19,14 +19,15 @@ std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& 
 
 /// Both pads of a hand.
 struct Pads {
-  double friction;  ///< coefficient on the object, mu
-  double press;     ///< force of each, F [N]
-  double half;      ///< half length of its contact, a [m]
+  double friction;     ///< coefficient on the object, mu
+  double press;        ///< force of each, F [N]
+  double half;         ///< half length of its contact, a [m]
+  double share = 0.5;  ///< part of the weight that the contact with more of it bears, p
 };
 
 /// Largest mass that two pads hold by a wall [kg]. The weight W, at a lever l along the wall and an
 /// offset d across it, must be within all that the contacts bear:
-///   force and twist  (W / (2 (mu - s) F))^2 + (W l / (4/3 mu a F))^2 <= 1
+///   force and twist  (W p / ((mu - s) F))^2 + (W l / (4/3 mu a F))^2 <= 1
 ///   tilt             W d <= (a - r) F, half of what contacts bear that are even
 /// where s is what the slopes of the faces take of the friction.
 /// A centre of mass below the contacts lets the object swing a little, which makes l and d shorter.

@@ -6,8 +6,8 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/hand_frames.hpp"
 #include "slide/rows.hpp"
+#include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
 

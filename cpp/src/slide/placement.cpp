@@ -9,7 +9,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/rim.hpp"
+#include "slide/task/rim.hpp"
 
 namespace graspless::slide {
 namespace {

@@ -49,6 +49,10 @@ void Query::refuse_press(const std::string& when, const Eigen::VectorXd& arm_par
 }
 
 bool Query::is_lag_small(Slid slide) {
+  if (refuses_lag && tipping_row(problem, options, slide.pressed)) {
+    refuse("pair: drag may tip the object");
+    return false;
+  }
   Course found = course(problem, options, slide.pressed);
   const Planar& goal = slide.pressed.back().X_SO;
   const auto grasp = [&] { return placement(problem, options, goal).out_center; };

@@ -12,8 +12,8 @@
 #include "graspless/slide/tube.hpp"
 
 #include "collision/overlap.hpp"
-#include "slide/hand_frames.hpp"
 #include "slide/placement.hpp"
+#include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
 namespace {

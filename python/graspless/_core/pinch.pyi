@@ -89,7 +89,7 @@ class Options:
     @property
     def height(self) -> float | None:
         """
-        Height of the contacts over the support that is tried first, or the nearest to it at which the fingers fit. By default half the thickness, or that of a wall.
+        Height of the contacts over the support that is tried first, or the nearest to it at which the fingers fit. By default half the thickness. Those of walls are found.
         
         Unit: m. Range: [0, 10].
         """
@@ -129,7 +129,7 @@ class Options:
     @property
     def patch(self) -> float:
         """
-        Half length of a pad's contact with a wall of an object with heights. The wall rises by as much above the contacts.
+        Half length of a pad's contact, which bears the weight. A wall of an object with heights rises by as much above the contacts.
         
         Unit: m. Range: (0, 0.1]. Default: 0.008.
         """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .wish import Wish
 
 PRESS_LOWER = 0.004  # below the top, where a finger presses: a quarter of its flexing is lost [m]
-PINCH_LOWER = 0.002  # below the fingers' contacts, which are round [m]
+PINCH_LOWER = 0.002  # below the fingers' contacts: pads reach lower [m]
 GRIP_LOWER = 0.006  # below the top, where a hand closes: its middle is half of that too high [m]
 LEAST_NEAR = 0.01  # radius in which heights are looked at, at least [m]
 LEAST_POINTS = 3

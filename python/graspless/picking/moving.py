@@ -18,7 +18,7 @@ from ..tasks import task_from_dict
 from .block import Block, block_of, level, wish_at
 from .fingertips import Fingertips, fingertips_of
 from .moves import MOVES, Move, misplaced
-from .strategies import LEAST_SECONDS, WAYS, chain_of, covered, refusal
+from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, covered, refusal
 
 if TYPE_CHECKING:
     from ..chain import Plan
@@ -97,7 +97,7 @@ def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
 def _grasps(goal: Block, wish: Wish, opening: float) -> list[str]:
     """Returns the grasps that lengths allow at a goal."""
     fits = ["pinch"] if min(goal.sides) <= opening - 2 * pinch.Options().margin else []
-    is_low = goal.height <= min(opening, min(goal.sides) / 2)
+    is_low = goal.height <= min(opening, THIN * min(goal.sides))
     return [*fits, "slide"] if is_low and wish.real_edges else fits
 
 

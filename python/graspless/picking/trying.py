@@ -127,9 +127,9 @@ def _plan(
     Returns the last plan, what speaks against it, and its faults.
     """
     began = time.monotonic()
-    status = doubted = ""
+    is_too_high = False
     for way in ways_of(strategy, wish):
-        if way.pads is not None and not doubted and status != "too_flat":
+        if way.pads is not None and not is_too_high:
             continue
         document = chain_of(strategy, wish, seed, seconds, way)
         task = task_from_dict(document, strategy, resolve=True).with_changes(
@@ -148,7 +148,7 @@ def _plan(
             faults = check(plan)
             if not faults:
                 break
-        status = str(plan.status)
+        is_too_high = is_too_high or bool(doubted) or str(plan.status) == "too_flat"
         if time.monotonic() - began >= seconds:
             break
     return plan, doubted, faults

@@ -10,32 +10,13 @@
 #include "complaint.hpp"
 #include "pinch/faces.hpp"
 #include "pinch/jaw.hpp"
-#include "slide/problems.hpp"
+#include "pinch/things.hpp"
 
 namespace graspless::pinch {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 using slide::Object;
-
-geometry::Polygon rectangle(double length, double width) {
-  return geometry::Polygon(geometry::columns({{-length / 2, -width / 2},
-                                              {length / 2, -width / 2},
-                                              {length / 2, width / 2},
-                                              {-length / 2, width / 2}}));
-}
-
-Problem standing(const geometry::Polygon& outline, double height, double x = 0.6, double y = 0.1,
-                 double yaw = 0.4) {
-  return slide::make_problem(slide::tables()[0], Object::prism("thing", outline, height),
-                             slide::flat(x, y, yaw));
-}
-
-std::string joined(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
-}
 
 /// Distance between the fingers at the end, across the contacts, computed with tiny steps of FK.
 double final_gap(const Problem& problem, const Plan& plan) {
@@ -159,36 +140,6 @@ TEST(Pinch, KeepsOffTheSupportWhereTheObjectIsHigher) {
   ASSERT_TRUE(spare && nearest) << spare.reason << nearest.reason;
   EXPECT_NEAR(nearest.contacts_O(2, 0), 0.01 + options.clearance, 1e-3);
   EXPECT_NEAR(spare.contacts_O(2, 0) - nearest.contacts_O(2, 0), 0.002, 1e-4);
-}
-
-/// By the limit surface of both pads: the motor of the T42 presses with 5.2 N.
-TEST(Pinch, RefusesWhatThePadsDoNotBear) {
-  Problem problem = standing(rectangle(0.12, 0.03), 0.05);
-  const Object bar = problem.object;
-  const auto of = [&](double mass, const Options& options = {}) {
-    problem.object = bar.with_mass(mass);
-    return pinch::plan(problem, options);
-  };
-  const Plan light = of(1);
-  ASSERT_TRUE(light) << light.reason;
-  EXPECT_EQ(joined(check(problem, light)), "");
-  ASSERT_TRUE(light.max_mass);
-  const double press = 0.5 * 2 / (2 * 0.096);  // half the effort, by levers to the tip's centre
-  EXPECT_NEAR(*light.max_mass, 2 * (1.16 - light.friction) * press / 9.81, 0.06);
-  const Plan heavy = of(1.5);
-  EXPECT_EQ(heavy.status, Status::too_heavy);
-  EXPECT_NE(heavy.reason.find("kg at 5."), std::string::npos) << heavy.reason;
-  EXPECT_NE(heavy.reason.find("it weighs 1.50 kg"), std::string::npos) << heavy.reason;
-  Options strong;
-  strong.grip_force = 20;
-  const Plan held = of(1.5, strong);
-  ASSERT_TRUE(held) << held.reason;
-  EXPECT_EQ(joined(check(problem, held, strong)), "");
-  EXPECT_NE(joined(check(problem, held)).find("kg there, it weighs 1.5 kg"), std::string::npos);
-  Plan boastful = light;
-  boastful.max_mass = 3;
-  problem.object = bar.with_mass(1);
-  EXPECT_NE(joined(check(problem, boastful)).find("max_mass must be at most"), std::string::npos);
 }
 
 /// A bar whose outline a noisy camera saw.

@@ -74,6 +74,14 @@ TEST(PinchPress, OfAHandWithoutLimitsIsUnknown) {
   const Plan found = pinch::plan(problem);  // of a prism, of whose weight nothing is promised
   ASSERT_TRUE(found) << found.reason;
   EXPECT_FALSE(finger_force(problem, found, {}));
+  EXPECT_FALSE(found.max_mass);
+  EXPECT_TRUE(check(problem, found).empty());
+  Plan boastful = found;
+  boastful.max_mass = 0.1;
+  const std::vector<std::string> faults = check(problem, boastful);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].find("effort limit of a joint that closes the hand is unknown"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Objects that may rest on their rims alone, on uneven pads, and grasps near the edge.
-#include "slide/rim.hpp"
+#include "slide/task/rim.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 
 #include "complaint.hpp"
 #include "paths.hpp"
-#include "slide/hand_frames.hpp"
 #include "slide/problems.hpp"
+#include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -608,7 +608,40 @@ TEST(Object, RefusesWhatFrictionOfTheSupportWouldTip) {
   options.friction_spread = 0.2;
   EXPECT_NO_THROW(validate(on(.59), options));
   expect_refused([&] { validate(on(.6), options); },
-                 "friction of the support must be at most 0.714286, not 0.720000");
+                 "support.friction must be at most 0.595238 for object 'loaf'");
+}
+
+/// A loaf that is pressed near an end, and pushed towards it, would be pressed down beyond it.
+TEST(Plan, ALoafIsNotDraggedOverItsEdge) {
+  const auto outline =
+      geometry::Polygon(columns({{-.06, -.03}, {.06, -.03}, {.06, .03}, {-.06, .03}}));
+  Options options;
+  int solved = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Support table(tables()[0].polygon(), tables()[0].X_WS(), 0.04, 0.06, 0.45);
+    const Problem problem =
+        make_problem(table, Object::from_polygon("loaf", outline, .044).with_mass(.3),
+                     flat(0.6, 0.1 * static_cast<double>(seed) / 6, 0.3));
+    const Plan found = plan(problem, options, seeded(seed, 5));
+    if (!found) continue;
+    ++solved;
+    EXPECT_TRUE(check(problem, found, options).empty());
+    const double ahead = 1.3 * 0.45 * 0.044;  // of the centre of pressure
+    const auto& slide = *std::find_if(found.segments.begin(), found.segments.end(),
+                                      [](const Segment& s) { return s.name == "slide"; });
+    const auto& X_WO = slide.object_poses;
+    const int F = problem.robot.frame(problem.hand.fingertip);
+    for (std::size_t i = 0; i + 1 < X_WO.size(); ++i) {
+      const Eigen::Vector3d tip = problem.robot.pose(F, slide.positions[i]).translation(),
+                            com = X_WO[i].translation(), moved = X_WO[i + 1].translation() - com;
+      if (moved.norm() < 2e-3) continue;
+      const double N = 9, W = 0.3 * 9.81;  // the press differs a little with the depth
+      Eigen::Vector3d p = (N * tip + W * com) / (N + W) + ahead * moved.normalized();
+      p = X_WO[i].inverse() * p;
+      EXPECT_GE(outline.depth(p.head<2>()), -0.012);
+    }
+  }
+  EXPECT_GT(solved, 0);
 }
 
 TEST(Object, CenterOfMassOfADistribution) {

@@ -49,8 +49,8 @@ constexpr auto fields(const Options&) {
             "limits of the joints that close the hand.",
             Range::left_open(0, 1000)},
       Field{"patch", &Options::patch, "m",
-            "Half length of a pad's contact with a wall of an object with heights. The wall rises "
-            "by as much above the contacts.",
+            "Half length of a pad's contact, which bears the weight. A wall of an object with "
+            "heights rises by as much above the contacts.",
             Range::left_open(0, 0.1)},
       Field{"depth", &Options::depth, "m",
             "Distance of the contacts from the ends of the pads, at most half the length of a pad. "
@@ -58,7 +58,7 @@ constexpr auto fields(const Options&) {
             Range::left_open(0, 0.1)},
       Field{"height", &Options::height, "m",
             "Height of the contacts over the support that is tried first, or the nearest to it at "
-            "which the fingers fit. By default half the thickness, or that of a wall.",
+            "which the fingers fit. By default half the thickness. Those of walls are found.",
             Range::closed(0, 10)},
       Field{"approach", &Options::approach, "m",
             "Length of the straight motion of the open hand onto the object.",

@@ -13,7 +13,8 @@
 #include "slide/check/finger_span.hpp"
 #include "slide/check/replay.hpp"
 #include "slide/contact.hpp"
-#include "slide/hand_frames.hpp"
+#include "slide/friction/pressed.hpp"
+#include "slide/task/hand_frames.hpp"
 
 /// Implements check(): one function for each property of a valid plan. The formulas are written
 /// again from the paper and docs/internals/slide.md, so that a mistake in the search does not
@@ -113,6 +114,7 @@ class Examination {
   void check_closing();
   void check_tube();
   void check_ends(const std::vector<Planar>& ends);
+  void check_drag(const std::vector<PressedRow>& rows);
   void check_warnings();
   void check_straight(const Segment& grasp);
   std::vector<scene::Doubt> prove_free(const Segment& segment) const;

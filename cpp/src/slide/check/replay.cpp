@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "slide/contact.hpp"
-#include "slide/hand_frames.hpp"
+#include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
 

@@ -33,9 +33,13 @@ std::size_t narrowest(const std::vector<double>& claimed, const std::vector<doub
 /// values claims nothing.
 void Examination::check_tube() {
   const Segment& slide = segment("slide");
-  const Course found = course(problem_, options_, pressed_rows(problem_, slide));
+  const std::vector<PressedRow> rows = pressed_rows(problem_, slide);
+  const Course found = course(problem_, options_, rows);
   const bool is_resumed = plan_.resumed && !has("retreat");
-  if (options_.refuse_lag && !is_resumed) check_ends(found.ends);
+  if (options_.refuse_lag && !is_resumed) {
+    check_ends(found.ends);
+    check_drag(rows);
+  }
   const Tube& claimed = plan_.tube;
   if (claimed.position.empty() && claimed.angle.empty()) return;
   const auto is_bound = [](double value) { return value >= 0; };
@@ -57,6 +61,26 @@ void Examination::check_tube() {
     fault("tube row " + std::to_string(turned),
           "the object may be " + figure(found.tube.angle[turned]) + " rad off, not " +
               figure(claimed.angle[turned]) + " rad at most");
+  }
+}
+
+/// The support's drag and the finger's are a couple, with the top's height as its arm: it moves the
+/// centre of pressure of a high object, but not off object or support.
+void Examination::check_drag(const std::vector<PressedRow>& rows) {
+  const Object& object = problem_.object;
+  if (object.thickness() <= object.least_width() / 2) return;
+  const double arm = object.top() * problem_.support.friction() * (1 + options_.friction_spread);
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const Planar X_OO = rows[row].X_SO * rows[row - 1].X_SO.inverse();
+    const Eigen::Vector2d center = rows[row - 1].p_SC, way = X_OO * center - center;
+    if (way.norm() < 1e-6) continue;
+    const Eigen::Vector2d pressed = center + way * (arm / way.norm());
+    const Eigen::Vector2d pressed_O = rows[row - 1].X_SO.inverse() * pressed;
+    if (!(signed_depth(object.outline().vertices(), pressed_O) >= -kRounded) ||
+        !(signed_depth(problem_.support.polygon().vertices(), pressed) >= -kRounded)) {
+      fault("slide row " + std::to_string(row - 1), "drag may tip the object");
+      return;
+    }
   }
 }
 

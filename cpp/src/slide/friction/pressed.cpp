@@ -44,6 +44,24 @@ std::vector<PressedRow> pressed_rows(const Problem& problem, const Segment& slid
   return found;
 }
 
+std::optional<std::size_t> tipping_row(const Problem& problem, const Options& options,
+                                       const std::vector<PressedRow>& rows) {
+  constexpr double kStill = 1e-6;  // [m]
+  const Object& object = problem.object;
+  if (object.thickness() <= object.least_width() / 2) return std::nullopt;
+  const double ahead = (1 + options.friction_spread) * problem.support.friction() * object.top();
+  for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
+    const PressedRow& now = rows[row];
+    const Eigen::Vector2d moved = rows[row + 1].X_SO * (now.X_SO.inverse() * now.p_SC) - now.p_SC;
+    if (moved.norm() < kStill) continue;
+    const Eigen::Vector2d p_S = now.p_SC + ahead * moved.normalized();
+    const bool is_borne = object.outline().depth(now.X_SO.inverse() * p_S) >= 0 &&
+                          problem.support.polygon().depth(p_S) >= 0;
+    if (!is_borne) return row;
+  }
+  return std::nullopt;
+}
+
 std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan) {
   const auto slide = std::find_if(plan.segments.begin(), plan.segments.end(),
                                   [](const Segment& segment) { return segment.name == "slide"; });

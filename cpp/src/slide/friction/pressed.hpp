@@ -36,6 +36,12 @@ double drag_load(const Problem& problem, const std::vector<PressedRow>& rows);
 Trailing trailing(const Problem& problem, const std::vector<PressedRow>& rows);
 Turning turning(const Problem& problem, const std::vector<PressedRow>& rows);
 
+/// Returns the first row after which drag may tip an object that is higher than half its width: the
+/// support's friction acts below the finger and moves the centre of pressure ahead, by its
+/// coefficient times the height of the face. Nothing if that stays on object and support.
+std::optional<std::size_t> tipping_row(const Problem& problem, const Options& options,
+                                       const std::vector<PressedRow>& rows);
+
 /// Weight of the object [N].
 double weight(const Problem& problem);
 

@@ -9,7 +9,7 @@
 #include "graspless/slide/slide.hpp"
 
 #include "slide/contact.hpp"
-#include "slide/hand_frames.hpp"
+#include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -127,25 +127,21 @@ void check_depths(const Hand& hand, const Options& options) {
 /// The support's drag, which acts below the finger, must not tip the object over its edge.
 void check_thickness(const Problem& problem, const Options& options) {
   const Object& object = problem.object;
-  const std::string who = "object '" + object.name() + "' ";
   const double thickness = object.thickness(), width = object.least_width();
   if (!object.is_thin()) {
-    throw std::invalid_argument(who +
-                                "is not thin: a slide takes a thickness of at most three "
+    throw std::invalid_argument("object '" + object.name() +
+                                "' is not thin: a slide takes a thickness of at most three "
                                 "quarters of the width of " +
                                 std::to_string(width) + " m, not " + std::to_string(thickness) +
                                 " m");
   }
-  const double friction = (1 + options.friction_spread) * problem.support.friction();
-  if (friction * thickness > width / 2) {
-    throw std::invalid_argument(
-        who + "would tip: with a thickness of " + std::to_string(thickness) + " m and a width of " +
-        std::to_string(width) +
-        " m, the coefficient of friction of the "
-        "support must be at most " +
-        std::to_string(width / (2 * thickness)) + ", not " + std::to_string(friction) +
-        " (support.friction and options.friction_spread)");
-  }
+  const double most = width / (2 * thickness * (1 + options.friction_spread)),
+               friction = problem.support.friction();
+  if (friction <= most) return;
+  throw std::invalid_argument("support.friction must be at most " + std::to_string(most) +
+                              " for object '" + object.name() + "', or drag would tip it: it is " +
+                              std::to_string(thickness) + " m thick and " + std::to_string(width) +
+                              " m wide; not " + std::to_string(friction));
 }
 
 }  // namespace

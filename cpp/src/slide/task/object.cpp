@@ -1,46 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "graspless/slide/problem.hpp"
+#include "graspless/slide/object.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/point_cloud.hpp"
 #include "graspless/mechanics/contact.hpp"
 #include "graspless/watch.hpp"
 
-#include "slide/rim.hpp"
+#include "slide/task/prisms.hpp"
+#include "slide/task/ranges.hpp"
+#include "slide/task/rim.hpp"
 
 namespace graspless::slide {
 namespace {
 
-constexpr Eigen::Index kPolledRows = 256;  // points between two polls
-constexpr double kMinFriction = 1e-6;
+constexpr Eigen::Index kPolledRows = 256;   // points between two polls
 constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
 constexpr double kLevel = 0.0025;           // of heights from that of the face [m]
 constexpr double kLevelRadius = 0.01;       // of discs that are level or not [m]
 constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
-
-void check_within(const std::string& what, double value, double least, double largest,
-                  const std::string& unit) {
-  if (value >= least && value <= largest) return;
-  std::ostringstream fault;
-  fault << what << " must lie in [" << least << ", " << largest << "]" << unit << ", not " << value;
-  throw std::invalid_argument(fault.str());
-}
-
-double length(const std::string& what, double value) {
-  check_within(what, value, geometry::kMinLength, geometry::kMaxLength, " m");
-  return value;
-}
-
-double friction(const std::string& what, double value) {
-  check_within(what, value, kMinFriction, mechanics::kMaxFriction, "");
-  return value;
-}
 
 double quantile(std::vector<double> values, double fraction) {
   const auto nth = values.begin() +
@@ -138,40 +120,6 @@ std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::M
     height = *(first + most / 2);
   }
   return height;
-}
-
-/// Convex prisms that fill the slab between two heights over a polygon.
-std::vector<geometry::PlacedShape> prisms(const geometry::Polygon& polygon, double bottom,
-                                          double top) {
-  std::vector<geometry::PlacedShape> shapes;
-  for (const geometry::Polygon& part : polygon.convex_parts()) {
-    poll();
-    Eigen::Matrix3Xd vertices(3, 2 * part.size());
-    vertices.topRows<2>() << part.vertices(), part.vertices();
-    vertices.row(2) << Eigen::RowVectorXd::Constant(part.size(), bottom),
-        Eigen::RowVectorXd::Constant(part.size(), top);
-    shapes.push_back({geometry::Convex{vertices}, Eigen::Isometry3d::Identity()});
-  }
-  return shapes;
-}
-
-/// One flag for each of `count` edges.
-std::vector<bool> usable(const std::optional<std::vector<int>>& edges, int count) {
-  if (!edges) return std::vector<bool>(static_cast<std::size_t>(count), true);
-  if (edges->empty()) {
-    throw std::invalid_argument("support usable_edges is empty; it must name at least one edge");
-  }
-  std::vector<bool> flags(static_cast<std::size_t>(count), false);
-  for (const int edge : *edges) {
-    const bool is_known = edge >= 0 && edge < count;
-    if (!is_known || flags[static_cast<std::size_t>(edge)]) {
-      throw std::invalid_argument(
-          "support usable_edges has " + std::to_string(edge) +
-          (is_known ? " twice" : "; edges are numbered from 0 to " + std::to_string(count - 1)));
-    }
-    flags[static_cast<std::size_t>(edge)] = true;
-  }
-  return flags;
 }
 
 }  // namespace
@@ -313,32 +261,6 @@ Eigen::Vector3d center_of_mass(const Eigen::Matrix3Xd& points, const Eigen::Vect
     throw std::invalid_argument("masses must be finite and not negative, with a positive sum");
   }
   return points * masses / masses.sum();
-}
-
-Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
-                 double band_width, double friction,
-                 const std::optional<std::vector<int>>& usable_edges)
-    : goal_band_(polygon, band_width),
-      X_WS_(X_WS),
-      slab_(length("support slab", slab)),
-      friction_(slide::friction("support friction", friction)),
-      is_usable_(usable(usable_edges, polygon.size())),
-      shapes_(prisms(polygon, -slab, 0)),
-      solid_(shapes_, "support") {
-  const Eigen::Matrix3d R = X_WS.linear();
-  if (!X_WS.matrix().allFinite() || !(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0) {
-    throw std::invalid_argument("support X_WS must be a rigid pose");
-  }
-  const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
-  constexpr double kMaxTilt = 1.0471975511965976;
-  if (tilt > kMaxTilt) {
-    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad; at most " +
-                                std::to_string(kMaxTilt) + " rad (60 degrees) is allowed");
-  }
-}
-
-bool Support::has_unusable_edges() const {
-  return std::find(is_usable_.begin(), is_usable_.end(), false) != is_usable_.end();
 }
 
 }  // namespace graspless::slide

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slide/rim.hpp"
+#include "slide/task/rim.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 //
 // Compares the frames that a hand's description names with the shapes of its fingers. A wrong frame
 // is the likeliest mistake with a new hand, and no other check would notice it.
-#include "slide/hand_frames.hpp"
+#include "slide/task/hand_frames.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "graspless/slide/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "graspless/mechanics/contact.hpp"
+
+#include "slide/task/prisms.hpp"
+#include "slide/task/ranges.hpp"
+
+namespace graspless::slide {
+namespace {
+
+constexpr double kMinFriction = 1e-6;
+
+double friction_of(const std::string& what, double value) {
+  check_within(what, value, kMinFriction, mechanics::kMaxFriction, "");
+  return value;
+}
+
+/// One flag for each of `count` edges.
+std::vector<bool> usable(const std::optional<std::vector<int>>& edges, int count) {
+  if (!edges) return std::vector<bool>(static_cast<std::size_t>(count), true);
+  if (edges->empty()) {
+    throw std::invalid_argument("support usable_edges is empty; it must name at least one edge");
+  }
+  std::vector<bool> flags(static_cast<std::size_t>(count), false);
+  for (const int edge : *edges) {
+    const bool is_known = edge >= 0 && edge < count;
+    if (!is_known || flags[static_cast<std::size_t>(edge)]) {
+      throw std::invalid_argument(
+          "support usable_edges has " + std::to_string(edge) +
+          (is_known ? " twice" : "; edges are numbered from 0 to " + std::to_string(count - 1)));
+    }
+    flags[static_cast<std::size_t>(edge)] = true;
+  }
+  return flags;
+}
+
+}  // namespace
+
+Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab,
+                 double band_width, double friction,
+                 const std::optional<std::vector<int>>& usable_edges)
+    : goal_band_(polygon, band_width),
+      X_WS_(X_WS),
+      slab_(length("support slab", slab)),
+      friction_(friction_of("support friction", friction)),
+      is_usable_(usable(usable_edges, polygon.size())),
+      shapes_(prisms(polygon, -slab, 0)),
+      solid_(shapes_, "support") {
+  const Eigen::Matrix3d R = X_WS.linear();
+  if (!X_WS.matrix().allFinite() || !(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0) {
+    throw std::invalid_argument("support X_WS must be a rigid pose");
+  }
+  const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
+  constexpr double kMaxTilt = 1.0471975511965976;
+  if (tilt > kMaxTilt) {
+    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad; at most " +
+                                std::to_string(kMaxTilt) + " rad (60 degrees) is allowed");
+  }
+}
+
+bool Support::has_unusable_edges() const {
+  return std::find(is_usable_.begin(), is_usable_.end(), false) != is_usable_.end();
+}
+
+}  // namespace graspless::slide
