@@ -46,8 +46,8 @@ ClearanceCells::Cell& ClearanceCells::root(const Number& number) {
   if (2 * roots_.size() >= slots_.size()) grow();
   Slot& slot = slots_[find(key)];
   if (slot.root < 0) {
-    slot = {key, static_cast<int>(roots_.size())};
     roots_.emplace_back();
+    slot = {key, static_cast<int>(roots_.size()) - 1};
   }
   last_key_ = key;
   last_root_ = slot.root;

@@ -84,8 +84,8 @@ Certificate certificate(const Problem& problem, const Eigen::VectorXd& q, int lo
     result.between[i] = problem.robot.frame_names()[static_cast<std::size_t>(of_ball)];
   }
   if (options.moves == 0) return result;
-  collision::Clearance clearance = problem.object.outer_clearance();
-  WayOut search(hand, link.ring, link.loop.points, clearance, options.seed);
+  const auto clearance = problem.object.borrow_outer_clearance();
+  WayOut search(hand, link.ring, link.loop.points, *clearance, options.seed);
   const double wanted = result.upper - options.tolerance;
   if (wanted > search.clearance_at_start()) search.settle(wanted, options.moves / kShares);
   result.lower = way_out(search, result.upper, nothing_left, options);

@@ -38,14 +38,53 @@ WayOut::WayOut(const StillHand& hand, const HandRing& ring, const Eigen::Matrix3
       reach_(hand.reach),
       clearance_(clearance),
       rng_(seed),
-      start_{Quaterniond::Identity(), hand.p_OC},
+      clasp_{Quaterniond::Identity(), hand.p_OC},
+      clear_(radii_.size()),
+      start_(clasp_),
       at_start_(std::numeric_limits<double>::infinity()) {
-  for (Eigen::Index i = 0; i < radii_.size(); ++i)
-    at_start_ = std::min(at_start_, clearance.distance(hand.p_OB.col(i)) - radii_[i]);
+  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
+    clear_[i] = clearance.distance(hand.p_OB.col(i)) - radii_[i];
+    at_start_ = std::min(at_start_, clear_[i]);
+  }
+  make_groups();
   if (ring.points_O.cols() == 0) return;
   const auto [a, b] = ring.balls;
   across_C_ = (p_CB_.col(b) - p_CB_.col(a)).normalized();
   gap_C_ = (p_CB_.col(a) + p_CB_.col(b) + (radii_[a] - radii_[b]) * across_C_) / 2;
+}
+
+void WayOut::make_groups() {
+  constexpr Eigen::Index kGroup = 8;  // balls
+  for (Eigen::Index begin = 0; begin < radii_.size(); begin += kGroup) {
+    const Eigen::Index count = std::min(kGroup, radii_.size() - begin);
+    const auto centers = p_CB_.middleCols(begin, count);
+    const Vector3d middle = centers.rowwise().mean();
+    groups_.push_back({begin, begin + count, middle,
+                       (centers.colwise() - middle).colwise().norm().maxCoeff(),
+                       far_.segment(begin, count).maxCoeff(),
+                       clear_.segment(begin, count).minCoeff()});
+  }
+}
+
+/// Calls visit(ball, travel) for each ball that may come too near on a way to `pose`, until it
+/// returns false. `shift` and `angle` are those of the way, `travel` bounds the length of the ball's.
+template <typename Visit>
+bool WayOut::all_near(const Pose& pose, double shift, double angle, Visit visit) const {
+  constexpr double kMargin = 1e-4;  // above the least length that stays_free() halves [m]
+  const Eigen::Matrix3d R = pose.turn.toRotationMatrix();
+  const Eigen::Matrix3d turned = R - Eigen::Matrix3d::Identity();
+  const Vector3d shifted = pose.p_OC - clasp_.p_OC;
+  const double most_turned = turned.norm() / M_SQRT2;  // the largest singular value
+  for (const Group& group : groups_) {
+    const double moved = (turned * group.middle_C + shifted).norm() + most_turned * group.radius;
+    if (group.clear - level_ - moved > shift + angle * group.far + kMargin) continue;
+    for (Eigen::Index i = group.begin; i < group.end; ++i) {
+      const double travel = shift + angle * far_[i];
+      const double left = clear_[i] - level_ - (turned * p_CB_.col(i) + shifted).norm();
+      if (left <= travel + kMargin && !visit(i, travel)) return false;
+    }
+  }
+  return true;
 }
 
 double WayOut::away(const Pose& pose) const {
@@ -64,11 +103,19 @@ double WayOut::spare(const Pose& pose, Eigen::Index ball) {
   return clearance_.bounds(moved(pose, p_CB_.col(ball)), radius).lower - radius;
 }
 
-bool WayOut::is_free(const Pose& pose) {
-  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
-    if (spare(pose, i) < 0) return false;
-  }
-  return true;
+bool WayOut::is_free(const Pose& pose) { return find_near(pose, 0, 0); }
+
+/// True if no ball is too near at the end of a way; `near_` are then those that may be on it.
+bool WayOut::find_near(const Pose& pose, double shift, double angle) {
+  near_.clear();
+  if (radii_.size() == 0) return true;
+  if (spare(pose, last_touched_) < 0) return false;
+  return all_near(pose, shift, angle, [&](Eigen::Index ball, double travel) {
+    const double left = spare(pose, ball);
+    if (left < 0) last_touched_ = ball;
+    if (left < travel) near_.emplace_back(ball, left);
+    return left >= 0;
+  });
 }
 
 /// True if a ball keeps its distance on the way between two poses. `at_from`, `at_to`: what it has
@@ -86,14 +133,13 @@ bool WayOut::stays_free(Eigen::Index ball, const Pose& from, double at_from, con
 
 /// True if no ball comes too near on the way. The first pose is free.
 bool WayOut::is_free(const Pose& from, const Pose& to) {
-  if (!is_free(to)) return false;
   const double shift = (to.p_OC - from.p_OC).norm(), angle = from.turn.angularDistance(to.turn);
-  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
-    const double travel = shift + angle * far_[i], at_to = spare(to, i);
-    if (at_to >= travel) continue;
-    if (!stays_free(i, from, std::max(0.0, spare(from, i)), to, at_to, travel)) return false;
-  }
-  return true;
+  if (!find_near(to, shift, angle)) return false;
+  return std::all_of(near_.begin(), near_.end(), [&](const auto& near) {
+    const auto& [ball, at_to] = near;
+    const double travel = shift + angle * far_[ball];
+    return stays_free(ball, from, std::max(0.0, spare(from, ball)), to, at_to, travel);
+  });
 }
 
 /// A pose in which a corner of the loop lies in the middle of the gap, square to it. Corners near

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -44,6 +45,18 @@ class WayOut {
     double away;  // distance of the loop from the hand's centre [m]
   };
 
+  /// Some neighbouring balls, as one ball.
+  struct Group {
+    Eigen::Index begin, end;
+    Eigen::Vector3d middle_C;
+    double radius, far;  // of the centres: distance from the middle and from C, at most [m]
+    double clear;        // least of clear_ [m]
+  };
+
+  void make_groups();
+  bool find_near(const Pose& pose, double shift, double angle);
+  template <typename Visit>
+  bool all_near(const Pose& pose, double shift, double angle, Visit visit) const;
   Eigen::Vector3d moved(const Pose& pose, const Eigen::Vector3d& p_C) const {
     return pose.turn * p_C + pose.p_OC;
   }
@@ -67,6 +80,11 @@ class WayOut {
   double reach_;
   collision::Clearance& clearance_;
   std::mt19937_64 rng_;
+  const Pose clasp_;
+  Eigen::VectorXd clear_;  // distance of each ball from the object at the clasp [m]
+  std::vector<Group> groups_;
+  Eigen::Index last_touched_ = 0;  // a ball that was too near lately
+  std::vector<std::pair<Eigen::Index, double>> near_;  // balls, and what each has to spare
   Pose start_;
   double at_start_ = 0;
   double level_ = 0;  // clearance of the current search [m]

@@ -27,6 +27,9 @@ struct Object::Data {
   mutable std::optional<collision::Solid> solid;
   mutable std::optional<collision::Clearance> clearance, outer;
   mutable std::optional<Core> core;
+
+  mutable std::mutex lending;
+  mutable std::unique_ptr<collision::Clearance> lent;  // nothing while somebody has it
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
@@ -67,6 +70,20 @@ const collision::Clearance& Object::clearance() const {
 const collision::Clearance& Object::outer_clearance() const {
   std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.surface)); });
   return *data_->outer;
+}
+
+std::shared_ptr<collision::Clearance> Object::borrow_outer_clearance() const {
+  std::unique_ptr<collision::Clearance> grid;
+  {
+    const std::lock_guard lock(data_->lending);
+    grid = std::move(data_->lent);
+  }
+  if (!grid) grid = std::make_unique<collision::Clearance>(outer_clearance());
+  return {grid.release(), [data = data_](collision::Clearance* used) {
+            std::unique_ptr<collision::Clearance> owned(used);
+            const std::lock_guard lock(data->lending);
+            if (!data->lent) data->lent = std::move(owned);
+          }};
 }
 
 const Core& Object::core() const {

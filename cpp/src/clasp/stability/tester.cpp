@@ -52,7 +52,7 @@ StabilityTester::StabilityTester(const Problem& problem)
       X_OW_(problem.X_WO.inverse()),
       kinematics_(problem.robot, problem.hand),
       balls_(problem.robot),
-      clearance_(problem.object.outer_clearance()) {}
+      clearance_(problem.object.borrow_outer_clearance()) {}
 
 /// Sets what the motors withstand.
 void StabilityTester::load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC,
@@ -82,7 +82,7 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
   const Eigen::ArrayXd whole = balls_.radii();
   const Eigen::VectorXd radii = (whole - options.penetration).max(whole / 2);
   ObjectWalk walk(balls_.centers_W(kinematics_.poses()).colwise() - p_WC, radii, X_OW_.linear(),
-                  X_OW_ * p_WC, options, clearance_);
+                  X_OW_ * p_WC, options, *clearance_);
   Stability result;
   if (walk.hits_at_start()) return result;
   double farthest = 0;

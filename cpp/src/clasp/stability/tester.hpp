@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -43,7 +44,7 @@ class StabilityTester {
   Eigen::Isometry3d X_OW_;
   HandKinematics kinematics_;
   LinkBalls balls_;
-  collision::Clearance clearance_;
+  std::shared_ptr<collision::Clearance> clearance_;
   std::optional<LoadTester> load_;  // made with the first load
 };
 

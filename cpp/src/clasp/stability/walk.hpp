@@ -17,7 +17,8 @@ namespace graspless::clasp {
 /// Moves the object until it hits one of the balls. Computations are in O, where the balls move.
 ///
 /// For every ball, the position of its last check and its distance from the object are stored. The
-/// ball is checked again only when it may have moved by that distance.
+/// ball is checked again only when it may have moved by that distance. Balls come in groups, which
+/// are looked at only when the nearest of their balls may be due.
 class ObjectWalk {
  public:
   /// `p_CB_W`: centres of the balls relative to the hand's centre C, in W [m]. `R_OW`, `p_OC`:
@@ -38,13 +39,34 @@ class ObjectWalk {
   std::int64_t steps() const { return steps_; }          ///< number of poses so far
 
  private:
-  template <typename PlaceAt>
-  int advance(const Eigen::VectorXd& travel, int max_steps, PlaceAt place_at);
-  void schedule(int ball, double bound, double travel, int from, int max_steps);
+  /// Pose of the hand in O, and a translation after it [m].
+  struct Pose {
+    Eigen::Matrix3d R_OW;
+    Eigen::Vector3d p_OC, shift_O = Eigen::Vector3d::Zero();
+    Eigen::Vector3d operator*(const Eigen::Vector3d& p_CB_W) const {
+      return R_OW * p_CB_W + p_OC + shift_O;
+    }
+  };
+  /// Some neighbouring balls, none of which was nearer to the object than `bound` [m] at pose `at`.
+  struct Group {
+    int begin, end;
+    Eigen::Vector3d middle_C;
+    double radius;  // of a ball about the middle that has all centres [m]
+    double bound;
+    Pose at;
+  };
+
+  void make_groups();
+  template <typename PoseAt>
+  int advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pose_at);
+  void schedule(int item, double bound, double travel, int from, int max_steps);
+  bool group_hits(Group& group, const Pose& pose, const Eigen::VectorXd& travel, int step,
+                  int max_steps);
   bool hits(Eigen::Index ball, const Eigen::Vector3d& p_O);
 
   Eigen::Matrix3Xd p_CB_W_;
-  Eigen::VectorXd radii_, travel_of_step_, travel_of_turn_;
+  Eigen::VectorXd radii_;
+  Eigen::VectorXd travel_of_step_, travel_of_turn_;  // of balls, then of groups
   Eigen::Matrix3d R_OW_, R_OW_start_;
   Eigen::Vector3d p_OC_, p_OC_start_;
   double step_, turn_;
@@ -52,7 +74,8 @@ class ObjectWalk {
   bool hits_at_start_ = false;
   Eigen::Matrix3Xd checked_at_, checked_at_start_;  // position at its last check, in O
   Eigen::VectorXd distance_, distance_at_start_;    // lower bound on the distance there
-  // Linked lists of the balls due at each step of the current move; -1 at the end.
+  std::vector<Group> groups_, groups_at_start_;
+  // Linked lists of the balls and groups due at each step of the current move; -1 at the end.
   std::vector<int> first_due_, next_due_;
   std::int64_t steps_ = 0;
 };
