@@ -32,38 +32,30 @@ WayOut::WayOut(const StillHand& hand, const HandRing& ring, const Eigen::Matrix3
                collision::Clearance& clearance, std::uint64_t seed)
     : p_CB_(hand.p_OB.colwise() - hand.p_OC),
       radii_(hand.radii),
-      far_(p_CB_.colwise().norm().transpose()),
       ring_C_(ring.points_O.colwise() - hand.p_OC),
       curve_O_(curve_O),
       reach_(hand.reach),
       clearance_(clearance),
       rng_(seed),
       clasp_{Quaterniond::Identity(), hand.p_OC},
-      clear_(radii_.size()),
       start_(clasp_),
       at_start_(std::numeric_limits<double>::infinity()) {
+  const std::vector<BallGroup> groups = sort_into_groups(p_CB_, radii_);
+  far_ = p_CB_.colwise().norm().transpose();
+  clear_.resize(radii_.size());
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
-    clear_[i] = clearance.distance(hand.p_OB.col(i)) - radii_[i];
+    clear_[i] = clearance.distance(moved(clasp_, p_CB_.col(i))) - radii_[i];
     at_start_ = std::min(at_start_, clear_[i]);
   }
-  make_groups();
+  for (const BallGroup& group : groups) {
+    const auto range = Eigen::seq(group.begin, group.end - 1);
+    groups_.push_back({group, clear_(range).minCoeff(), far_(range).maxCoeff()});
+  }
   if (ring.points_O.cols() == 0) return;
   const auto [a, b] = ring.balls;
-  across_C_ = (p_CB_.col(b) - p_CB_.col(a)).normalized();
-  gap_C_ = (p_CB_.col(a) + p_CB_.col(b) + (radii_[a] - radii_[b]) * across_C_) / 2;
-}
-
-void WayOut::make_groups() {
-  constexpr Eigen::Index kGroup = 8;  // balls
-  for (Eigen::Index begin = 0; begin < radii_.size(); begin += kGroup) {
-    const Eigen::Index count = std::min(kGroup, radii_.size() - begin);
-    const auto centers = p_CB_.middleCols(begin, count);
-    const Vector3d middle = centers.rowwise().mean();
-    groups_.push_back({begin, begin + count, middle,
-                       (centers.colwise() - middle).colwise().norm().maxCoeff(),
-                       far_.segment(begin, count).maxCoeff(),
-                       clear_.segment(begin, count).minCoeff()});
-  }
+  across_C_ = (hand.p_OB.col(b) - hand.p_OB.col(a)).normalized();
+  gap_C_ = (hand.p_OB.col(a) + hand.p_OB.col(b) + (hand.radii[a] - hand.radii[b]) * across_C_) / 2 -
+           hand.p_OC;
 }
 
 /// Calls visit(ball, travel) for each ball that may come too near on a way to `pose`, until it
@@ -76,9 +68,10 @@ bool WayOut::all_near(const Pose& pose, double shift, double angle, Visit visit)
   const Vector3d shifted = pose.p_OC - clasp_.p_OC;
   const double most_turned = turned.norm() / M_SQRT2;  // the largest singular value
   for (const Group& group : groups_) {
-    const double moved = (turned * group.middle_C + shifted).norm() + most_turned * group.radius;
+    const double moved =
+        (turned * group.balls.middle + shifted).norm() + most_turned * group.balls.radius;
     if (group.clear - level_ - moved > shift + angle * group.far + kMargin) continue;
-    for (Eigen::Index i = group.begin; i < group.end; ++i) {
+    for (Eigen::Index i = group.balls.begin; i < group.balls.end; ++i) {
       const double travel = shift + angle * far_[i];
       const double left = clear_[i] - level_ - (turned * p_CB_.col(i) + shifted).norm();
       if (left <= travel + kMargin && !visit(i, travel)) return false;

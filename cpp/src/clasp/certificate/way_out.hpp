@@ -14,6 +14,7 @@
 #include "graspless/collision/clearance.hpp"
 
 #include "clasp/certificate/still_hand.hpp"
+#include "clasp/stability/balls.hpp"
 
 namespace graspless::clasp {
 
@@ -45,15 +46,12 @@ class WayOut {
     double away;  // distance of the loop from the hand's centre [m]
   };
 
-  /// Some neighbouring balls, as one ball.
+  /// Neighbouring balls. Least of clear_ and largest of far_ [m].
   struct Group {
-    Eigen::Index begin, end;
-    Eigen::Vector3d middle_C;
-    double radius, far;  // of the centres: distance from the middle and from C, at most [m]
-    double clear;        // least of clear_ [m]
+    BallGroup balls;
+    double clear, far;
   };
 
-  void make_groups();
   bool find_near(const Pose& pose, double shift, double angle);
   template <typename Visit>
   bool all_near(const Pose& pose, double shift, double angle, Visit visit) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <variant>
 
 namespace graspless::clasp {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kDent = 0.0008;
 // Balls smaller than this fraction of a shape's largest only fill its edges, and are dropped.
 constexpr double kMinRatio = 1.0 / 3;
+constexpr Eigen::Index kMostInGroup = 8;
 
 bool adds(const LinkSphere& ball, const SphereTree& larger) {
   return std::none_of(larger.begin(), larger.end(), [&](const LinkSphere& other) {
@@ -52,7 +54,43 @@ SphereTree balls_of(const geometry::PlacedShape& placed, MeshInside inside) {
   return filling(sphere_tree({covered(placed, inside)}));
 }
 
+/// Halves balls across the direction in which they are spread most, until few are left.
+void halve(const Eigen::Matrix3Xd& centers, std::vector<int>& order, Eigen::Index begin,
+           Eigen::Index end, std::vector<BallGroup>& groups) {
+  if (begin == end) return;
+  const Eigen::Matrix3Xd some =
+      centers(Eigen::all, std::vector<int>(order.begin() + begin, order.begin() + end));
+  const Eigen::Vector3d low = some.rowwise().minCoeff(), high = some.rowwise().maxCoeff();
+  if (end - begin <= kMostInGroup) {
+    groups.push_back({begin, end, (low + high) / 2, 0, 0});
+    return;
+  }
+  Eigen::Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  const Eigen::Index half = (begin + end) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + half, order.begin() + end,
+                   [&](int a, int b) { return centers(axis, a) < centers(axis, b); });
+  halve(centers, order, begin, half, groups);
+  halve(centers, order, half, end, groups);
+}
+
 }  // namespace
+
+std::vector<BallGroup> sort_into_groups(Eigen::Matrix3Xd& centers, Eigen::VectorXd& radii) {
+  std::vector<int> order(static_cast<std::size_t>(radii.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<BallGroup> groups;
+  halve(centers, order, 0, radii.size(), groups);
+  centers = Eigen::Matrix3Xd(centers(Eigen::all, order));
+  radii = Eigen::VectorXd(radii(order));
+  for (BallGroup& group : groups) {
+    const auto balls = Eigen::seq(group.begin, group.end - 1);
+    const auto far = (centers(Eigen::all, balls).colwise() - group.middle).colwise().norm().eval();
+    group.radius = far.maxCoeff();
+    group.around = (far.transpose() + radii(balls)).maxCoeff();
+  }
+  return groups;
+}
 
 LinkBalls::LinkBalls(const robot::Robot& robot, MeshInside inside) {
   SphereTree all;

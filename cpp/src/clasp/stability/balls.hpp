@@ -27,4 +27,15 @@ class LinkBalls {
   Eigen::VectorXd radii_;
 };
 
+/// A ball around some balls that are neighbours.
+struct BallGroup {
+  Eigen::Index begin, end;  ///< of its balls
+  Eigen::Vector3d middle;
+  double radius;  ///< of a ball about the middle that has all centres [m]
+  double around;  ///< of one that has all balls [m]
+};
+
+/// Sorts balls into compact groups. Centres and radii in [m].
+std::vector<BallGroup> sort_into_groups(Eigen::Matrix3Xd& centers, Eigen::VectorXd& radii);
+
 }  // namespace graspless::clasp

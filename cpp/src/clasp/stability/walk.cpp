@@ -9,11 +9,6 @@
 #include <Eigen/Geometry>
 
 namespace graspless::clasp {
-namespace {
-
-constexpr int kGroup = 8;  // balls
-
-}  // namespace
 
 ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& radii,
                        const Eigen::Matrix3d& R_OW, const Eigen::Vector3d& p_OC,
@@ -29,35 +24,28 @@ ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& ra
       clearance_(clearance),
       checked_at_(Eigen::Matrix3Xd::Zero(3, radii.size())),
       distance_(Eigen::VectorXd::Zero(radii.size())) {
+  const std::vector<BallGroup> groups = sort_into_groups(p_CB_W_, radii_);
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
     if (hits(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
   }
-  make_groups();
+  make_groups(groups);
   checked_at_start_ = checked_at_;
   distance_at_start_ = distance_;
   groups_at_start_ = groups_;
 }
 
-void ObjectWalk::make_groups() {
-  const auto balls = static_cast<int>(radii_.size());
-  for (int begin = 0; begin < balls; begin += kGroup) {
-    const int count = std::min(kGroup, balls - begin);
-    const auto centers = p_CB_W_.middleCols(begin, count);
-    const Eigen::Vector3d middle = centers.rowwise().mean();
-    groups_.push_back({begin, begin + count, middle,
-                       (centers.colwise() - middle).colwise().norm().maxCoeff(),
-                       distance_.segment(begin, count).minCoeff(),
-                       {R_OW_, p_OC_}});
-  }
-  const auto groups = static_cast<int>(groups_.size());
-  travel_of_step_.setConstant(balls + groups, step_);
-  travel_of_turn_.resize(balls + groups);
+void ObjectWalk::make_groups(const std::vector<BallGroup>& groups) {
+  const Eigen::Index balls = radii_.size(), count = balls + static_cast<Eigen::Index>(groups.size());
+  travel_of_step_.setConstant(count, step_);
+  travel_of_turn_.resize(count);
   travel_of_turn_.head(balls) = turn_ * p_CB_W_.colwise().norm().transpose();
-  for (int i = 0; i < groups; ++i) {
-    const auto& [begin, end, middle, radius, bound, at] = groups_[static_cast<std::size_t>(i)];
-    travel_of_turn_[balls + i] = travel_of_turn_.segment(begin, end - begin).maxCoeff();
+  next_due_.resize(static_cast<std::size_t>(count));
+  for (const BallGroup& group : groups) {
+    const auto range = Eigen::seq(group.begin, group.end - 1);
+    travel_of_turn_[balls + static_cast<Eigen::Index>(groups_.size())] =
+        travel_of_turn_(range).maxCoeff();
+    groups_.push_back({group, distance_(range).minCoeff(), {R_OW_, p_OC_}});
   }
-  next_due_.resize(static_cast<std::size_t>(balls + groups));
 }
 
 void ObjectWalk::reset() {
@@ -78,19 +66,30 @@ bool ObjectWalk::hits(Eigen::Index ball, const Eigen::Vector3d& p_O) {
   return false;
 }
 
-/// True if a ball of a group hits the object at this step. If not, schedules the next check of each.
-bool ObjectWalk::group_hits(Group& group, const Pose& pose, const Eigen::VectorXd& travel, int step,
+/// True if a ball of a group hits the object at this step. If not, schedules the next check: of the
+/// group if it is far from the object, else of each ball.
+bool ObjectWalk::group_hits(int index, const Pose& pose, const Eigen::VectorXd& travel, int step,
                             int max_steps) {
+  constexpr double kFar = 4;  // steps
+  Group& group = groups_[static_cast<std::size_t>(index)];
+  const int item = static_cast<int>(radii_.size()) + index;
+  const double around = group.balls.around, far = around + kFar * travel[item];
+  const double lower = clearance_.rough_bounds(pose * group.balls.middle, far).lower;
   double least = std::numeric_limits<double>::infinity();
-  for (int ball = group.begin; ball < group.end; ++ball) {
-    const Eigen::Vector3d p_O = pose * p_CB_W_.col(ball);
-    double left = distance_[ball] - (p_O - checked_at_.col(ball)).norm();
-    if (left <= 0) {
-      if (hits(ball, p_O)) return true;
-      left = distance_[ball];
+  if (lower > far) {
+    least = lower - around;
+    schedule(item, least, travel[item], step, max_steps);
+  } else {
+    for (Eigen::Index ball = group.balls.begin; ball < group.balls.end; ++ball) {
+      const Eigen::Vector3d p_O = pose * p_CB_W_.col(ball);
+      double left = distance_[ball] - (p_O - checked_at_.col(ball)).norm();
+      if (left <= 0) {
+        if (hits(ball, p_O)) return true;
+        left = distance_[ball];
+      }
+      least = std::min(least, left);
+      schedule(static_cast<int>(ball), left, travel[ball], step, max_steps);
     }
-    least = std::min(least, left);
-    schedule(ball, left, travel[ball], step, max_steps);
   }
   group.bound = least;
   group.at = pose;
@@ -118,8 +117,9 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pos
   for (int i = 0; i < static_cast<int>(groups_.size()); ++i) {
     const Group& group = groups_[static_cast<std::size_t>(i)];
     // The largest singular value of the difference of two rotations is its norm / sqrt(2).
-    const double moved = (start * group.middle_C - group.at * group.middle_C).norm() +
-                         group.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
+    const double moved =
+        (start * group.balls.middle - group.at * group.balls.middle).norm() +
+        group.balls.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
     schedule(balls + i, group.bound - moved, travel[balls + i], 0, max_steps);
   }
   for (int step = 1; step <= max_steps; ++step) {
@@ -131,8 +131,7 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pos
       next = next_due_[static_cast<std::size_t>(item)];
       const bool is_ball = item < balls;
       const bool hit = is_ball ? hits(item, pose * p_CB_W_.col(item))
-                               : group_hits(groups_[static_cast<std::size_t>(item - balls)], pose,
-                                            travel, step, max_steps);
+                               : group_hits(item - balls, pose, travel, step, max_steps);
       if (hit) {
         steps_ += step;
         return step - 1;

@@ -12,6 +12,8 @@
 #include "graspless/clasp/stability.hpp"
 #include "graspless/collision/clearance.hpp"
 
+#include "clasp/stability/balls.hpp"
+
 namespace graspless::clasp {
 
 /// Moves the object until it hits one of the balls. Computations are in O, where the balls move.
@@ -47,20 +49,18 @@ class ObjectWalk {
       return R_OW * p_CB_W + p_OC + shift_O;
     }
   };
-  /// Some neighbouring balls, none of which was nearer to the object than `bound` [m] at pose `at`.
+  /// Neighbouring balls, none of which was nearer to the object than `bound` [m] at pose `at`.
   struct Group {
-    int begin, end;
-    Eigen::Vector3d middle_C;
-    double radius;  // of a ball about the middle that has all centres [m]
+    BallGroup balls;
     double bound;
     Pose at;
   };
 
-  void make_groups();
+  void make_groups(const std::vector<BallGroup>& groups);
   template <typename PoseAt>
   int advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pose_at);
   void schedule(int item, double bound, double travel, int from, int max_steps);
-  bool group_hits(Group& group, const Pose& pose, const Eigen::VectorXd& travel, int step,
+  bool group_hits(int index, const Pose& pose, const Eigen::VectorXd& travel, int step,
                   int max_steps);
   bool hits(Eigen::Index ball, const Eigen::Vector3d& p_O);
 
