@@ -20,10 +20,27 @@ std::vector<std::vector<geometry::PlacedShape>> shapes_of_links(const robot::Rob
 
 }  // namespace
 
+bool is_apart(const SphereTree& tree, const Eigen::Isometry3d& X_OL,
+              collision::Clearance& clearance) {
+  const int count = static_cast<int>(tree.size());
+  for (int i = 0; i < count;) {
+    const LinkSphere& node = tree[static_cast<std::size_t>(i)];
+    const bool is_leaf = node.next == i + 1;
+    const double enough = node.outer + kContactMargin;
+    const Eigen::Vector3d p_O = X_OL * node.p_L;
+    const auto distance =
+        is_leaf ? clearance.bounds(p_O, enough) : clearance.rough_bounds(p_O, enough);
+    const bool is_clear = distance.lower > enough;
+    if (is_leaf && !is_clear) return false;
+    i = is_clear ? node.next : i + 1;
+  }
+  return true;
+}
+
 ObjectCollision::ObjectCollision(const Problem& problem)
     : X_OW_(problem.X_WO.inverse()),
       spheres_(link_spheres(problem.robot)),
-      clearance_(problem.object.clearance()) {
+      clearance_(problem.object.borrow_clearance()) {
   const robot::Robot& robot = problem.robot;
   const int object = world_.add_body("object", problem.object.solid());
   world_.set_pose(object, problem.X_WO);
@@ -58,8 +75,8 @@ ObjectCollision::Result ObjectCollision::check(int link, const Eigen::Isometry3d
     const LinkSphere& node = tree[static_cast<std::size_t>(i)];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
-    const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kContactMargin)
-                                  : clearance_.rough_bounds(p_O, node.outer + least);
+    const auto distance = is_leaf ? clearance_->bounds(p_O, node.outer + kContactMargin)
+                                  : clearance_->rough_bounds(p_O, node.outer + least);
     if (distance.upper < node.inner - kContactMargin) return {true, 0};
     const double clear = distance.lower - node.outer;
     if (clear >= least) {

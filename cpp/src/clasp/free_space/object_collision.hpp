@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -16,6 +17,10 @@
 #include "clasp/free_space/link_spheres.hpp"
 
 namespace graspless::clasp {
+
+/// True if the spheres of a link prove it apart from a surface. False proves nothing.
+bool is_apart(const SphereTree& tree, const Eigen::Isometry3d& X_OL,
+              collision::Clearance& clearance);
 
 /// Checks one link at a time: by bounding spheres if these decide, else by FCL. Not thread-safe.
 class ObjectCollision {
@@ -40,7 +45,7 @@ class ObjectCollision {
  private:
   Eigen::Isometry3d X_OW_;
   std::vector<SphereTree> spheres_;
-  collision::Clearance clearance_;
+  std::shared_ptr<collision::Clearance> clearance_;
   collision::World world_;
   std::vector<int> links_;
   std::vector<int> body_;  // per link: body in world_, or -1

@@ -13,6 +13,30 @@
 
 namespace graspless::clasp {
 
+/// A grid of distances that is lent to one user at a time.
+class GridLender {
+ public:
+  /// `owner` lives as long as the grid is lent.
+  std::shared_ptr<collision::Clearance> lend(const std::shared_ptr<const void>& owner,
+                                             const collision::Clearance& original) {
+    std::unique_ptr<collision::Clearance> grid;
+    {
+      const std::lock_guard lock(mutex_);
+      grid = std::move(grid_);
+    }
+    if (!grid) grid = std::make_unique<collision::Clearance>(original);
+    return {grid.release(), [owner, this](collision::Clearance* used) {
+              std::unique_ptr<collision::Clearance> back(used);
+              const std::lock_guard lock(mutex_);
+              if (!grid_) grid_ = std::move(back);
+            }};
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<collision::Clearance> grid_;  // nothing while somebody has it
+};
+
 /// Data for collision tests is built on first use, so that finding loops alone stays fast.
 struct Object::Data {
   std::string name;
@@ -28,8 +52,7 @@ struct Object::Data {
   mutable std::optional<collision::Clearance> clearance, outer;
   mutable std::optional<Core> core;
 
-  mutable std::mutex lending;
-  mutable std::unique_ptr<collision::Clearance> lent;  // nothing while somebody has it
+  mutable GridLender grid, outer_grid;
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
@@ -72,18 +95,12 @@ const collision::Clearance& Object::outer_clearance() const {
   return *data_->outer;
 }
 
+std::shared_ptr<collision::Clearance> Object::borrow_clearance() const {
+  return data_->grid.lend(data_, clearance());
+}
+
 std::shared_ptr<collision::Clearance> Object::borrow_outer_clearance() const {
-  std::unique_ptr<collision::Clearance> grid;
-  {
-    const std::lock_guard lock(data_->lending);
-    grid = std::move(data_->lent);
-  }
-  if (!grid) grid = std::make_unique<collision::Clearance>(outer_clearance());
-  return {grid.release(), [data = data_](collision::Clearance* used) {
-            std::unique_ptr<collision::Clearance> owned(used);
-            const std::lock_guard lock(data->lending);
-            if (!data->lent) data->lent = std::move(owned);
-          }};
+  return data_->outer_grid.lend(data_, outer_clearance());
 }
 
 const Core& Object::core() const {
