@@ -44,9 +44,8 @@ class GRASPLESS_API Object {
   const collision::Clearance& clearance() const;
   /// Same without the triangles wholly inside: equal for every point outside, and cheaper.
   const collision::Clearance& outer_clearance() const;
-  /// Both with a grid that former borrowers filled, for one thread. It returns to the object, which
-  /// keeps one of each.
-  std::shared_ptr<collision::Clearance> borrow_clearance() const;
+  /// Same with a grid that former borrowers filled, for one thread. It returns to the object, which
+  /// keeps one.
   std::shared_ptr<collision::Clearance> borrow_outer_clearance() const;
   const Core& core() const;  ///< what the surface shuts off from outside; built on first use
   double spacing() const;    ///< median distance of neighbouring points of the surface [m]

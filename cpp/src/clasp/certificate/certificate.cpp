@@ -3,6 +3,7 @@
 #include "graspless/clasp/certificate.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "clasp/certificate/core.hpp"
 #include "clasp/certificate/still_hand.hpp"
@@ -21,11 +22,12 @@ struct Link {
 };
 
 Link link_of(const StillHand& hand, const Eigen::Matrix3Xd& loop_O, const Core& core) {
-  Link link{hand.ring(loop_O, 0, core), {loop_O, 0}};
+  const std::vector<int> near = hand.balls_outside(core);
+  Link link{hand.ring(loop_O, 0, near), {loop_O, 0}};
   if (link.ring.points_O.cols() == 0) return link;
   const CoreLoop inside = core.loop(link.ring.points_O);
   if (!(inside.radius > 0)) return link;
-  const HandRing around = hand.ring(inside.points, inside.radius, core);
+  const HandRing around = hand.ring(inside.points, inside.radius, near);
   return around.points_O.cols() > 0 ? Link{around, inside} : link;
 }
 

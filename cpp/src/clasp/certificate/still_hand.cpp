@@ -33,11 +33,16 @@ StillHand::StillHand(const Problem& problem, const Eigen::VectorXd& q) {
   reach = (corners.colwise() - p_OC).colwise().norm().maxCoeff() + kAround;
 }
 
-HandRing StillHand::ring(const Eigen::Matrix3Xd& curve_O, double radius, const Core& core) const {
+std::vector<int> StillHand::balls_outside(const Core& core) const {
   std::vector<int> near;
   for (int i = 0; i < static_cast<int>(radii.size()); ++i) {
     if ((p_OB.col(i) - p_OC).norm() <= reach && !core.contains(p_OB.col(i))) near.push_back(i);
   }
+  return near;
+}
+
+HandRing StillHand::ring(const Eigen::Matrix3Xd& curve_O, double radius,
+                         const std::vector<int>& near) const {
   const auto gap = [&](int a, int b) {
     return (p_OB.col(a) - p_OB.col(b)).norm() - radii[a] - radii[b];
   };

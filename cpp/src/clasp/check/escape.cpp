@@ -25,7 +25,7 @@ constexpr double kStep = 0.004, kTurn = 0.02;                // [m], [rad]
 class MovingObject {
  public:
   MovingObject(const Problem& problem, const Eigen::VectorXd& q)
-      : spheres_(link_spheres(problem.robot)), clearance_(problem.object.borrow_clearance()) {
+      : spheres_(link_spheres(problem.robot)), clearance_(problem.object.borrow_outer_clearance()) {
     object_ = world_.add_body("object", problem.object.solid());
     problem.robot.forward(q, X_WL_);
     for (const auto& shape : problem.robot.shapes()) {

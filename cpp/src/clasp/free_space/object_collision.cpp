@@ -40,7 +40,7 @@ bool is_apart(const SphereTree& tree, const Eigen::Isometry3d& X_OL,
 ObjectCollision::ObjectCollision(const Problem& problem)
     : X_OW_(problem.X_WO.inverse()),
       spheres_(link_spheres(problem.robot)),
-      clearance_(problem.object.borrow_clearance()) {
+      clearance_(problem.object.clearance()) {
   const robot::Robot& robot = problem.robot;
   const int object = world_.add_body("object", problem.object.solid());
   world_.set_pose(object, problem.X_WO);
@@ -75,8 +75,8 @@ ObjectCollision::Result ObjectCollision::check(int link, const Eigen::Isometry3d
     const LinkSphere& node = tree[static_cast<std::size_t>(i)];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
-    const auto distance = is_leaf ? clearance_->bounds(p_O, node.outer + kContactMargin)
-                                  : clearance_->rough_bounds(p_O, node.outer + least);
+    const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kContactMargin)
+                                  : clearance_.rough_bounds(p_O, node.outer + least);
     if (distance.upper < node.inner - kContactMargin) return {true, 0};
     const double clear = distance.lower - node.outer;
     if (clear >= least) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -45,7 +44,7 @@ class ObjectCollision {
  private:
   Eigen::Isometry3d X_OW_;
   std::vector<SphereTree> spheres_;
-  std::shared_ptr<collision::Clearance> clearance_;
+  collision::Clearance clearance_;
   collision::World world_;
   std::vector<int> links_;
   std::vector<int> body_;  // per link: body in world_, or -1

@@ -52,7 +52,7 @@ struct Object::Data {
   mutable std::optional<collision::Clearance> clearance, outer;
   mutable std::optional<Core> core;
 
-  mutable GridLender grid, outer_grid;
+  mutable GridLender outer_grid;
 };
 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP,
@@ -93,10 +93,6 @@ const collision::Clearance& Object::clearance() const {
 const collision::Clearance& Object::outer_clearance() const {
   std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.surface)); });
   return *data_->outer;
-}
-
-std::shared_ptr<collision::Clearance> Object::borrow_clearance() const {
-  return data_->grid.lend(data_, clearance());
 }
 
 std::shared_ptr<collision::Clearance> Object::borrow_outer_clearance() const {

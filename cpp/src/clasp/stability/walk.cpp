@@ -28,24 +28,14 @@ ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& ra
   for (Eigen::Index i = 0; i < radii_.size(); ++i) {
     if (hits(i, R_OW_ * p_CB_W_.col(i) + p_OC_)) hits_at_start_ = true;
   }
-  make_groups(groups);
+  for (const BallGroup& group : groups) {
+    const auto balls = Eigen::seq(group.begin, group.end - 1);
+    groups_.push_back({group, distance_(balls).minCoeff(), {R_OW_, p_OC_}});
+  }
+  next_due_.resize(groups_.size() + static_cast<std::size_t>(radii_.size()));
   checked_at_start_ = checked_at_;
   distance_at_start_ = distance_;
   groups_at_start_ = groups_;
-}
-
-void ObjectWalk::make_groups(const std::vector<BallGroup>& groups) {
-  const Eigen::Index balls = radii_.size(), count = balls + static_cast<Eigen::Index>(groups.size());
-  travel_of_step_.setConstant(count, step_);
-  travel_of_turn_.resize(count);
-  travel_of_turn_.head(balls) = turn_ * p_CB_W_.colwise().norm().transpose();
-  next_due_.resize(static_cast<std::size_t>(count));
-  for (const BallGroup& group : groups) {
-    const auto range = Eigen::seq(group.begin, group.end - 1);
-    travel_of_turn_[balls + static_cast<Eigen::Index>(groups_.size())] =
-        travel_of_turn_(range).maxCoeff();
-    groups_.push_back({group, distance_(range).minCoeff(), {R_OW_, p_OC_}});
-  }
 }
 
 void ObjectWalk::reset() {
@@ -68,17 +58,19 @@ bool ObjectWalk::hits(Eigen::Index ball, const Eigen::Vector3d& p_O) {
 
 /// True if a ball of a group hits the object at this step. If not, schedules the next check: of the
 /// group if it is far from the object, else of each ball.
-bool ObjectWalk::group_hits(int index, const Pose& pose, const Eigen::VectorXd& travel, int step,
-                            int max_steps) {
+template <typename Travel>
+bool ObjectWalk::group_hits(int index, const Pose& pose, Travel travel, int step, int max_steps) {
   constexpr double kFar = 4;  // steps
   Group& group = groups_[static_cast<std::size_t>(index)];
   const int item = static_cast<int>(radii_.size()) + index;
-  const double around = group.balls.around, far = around + kFar * travel[item];
+  const double around = group.balls.around;
+  const double most = travel(group.balls.middle, group.balls.radius);
+  const double far = around + kFar * most;
   const double lower = clearance_.rough_bounds(pose * group.balls.middle, far).lower;
   double least = std::numeric_limits<double>::infinity();
   if (lower > far) {
     least = lower - around;
-    schedule(item, least, travel[item], step, max_steps);
+    schedule(item, least, most, step, max_steps);
   } else {
     for (Eigen::Index ball = group.balls.begin; ball < group.balls.end; ++ball) {
       const Eigen::Vector3d p_O = pose * p_CB_W_.col(ball);
@@ -88,7 +80,7 @@ bool ObjectWalk::group_hits(int index, const Pose& pose, const Eigen::VectorXd& 
         left = distance_[ball];
       }
       least = std::min(least, left);
-      schedule(static_cast<int>(ball), left, travel[ball], step, max_steps);
+      schedule(static_cast<int>(ball), left, travel(p_CB_W_.col(ball), 0), step, max_steps);
     }
   }
   group.bound = least;
@@ -107,10 +99,10 @@ void ObjectWalk::schedule(int item, double bound, double travel, int from, int m
   first = item;
 }
 
-/// Moves until the next step would hit, and returns the number of steps. `travel`: bound on the
-/// motion of each ball and group in a step [m]. pose_at(step): pose of the hand.
-template <typename PoseAt>
-int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pose_at) {
+/// Moves until the next step would hit, and returns the number of steps. travel(p_CB_W, radius):
+/// bound on the motion of balls about a point in a step [m]. pose_at(step): pose of the hand.
+template <typename Travel, typename PoseAt>
+int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
   first_due_.assign(static_cast<std::size_t>(max_steps) + 1, -1);
   const auto balls = static_cast<int>(radii_.size());
   const Pose start{R_OW_, p_OC_};
@@ -120,7 +112,8 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pos
     const double moved =
         (start * group.balls.middle - group.at * group.balls.middle).norm() +
         group.balls.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
-    schedule(balls + i, group.bound - moved, travel[balls + i], 0, max_steps);
+    schedule(balls + i, group.bound - moved, travel(group.balls.middle, group.balls.radius), 0,
+             max_steps);
   }
   for (int step = 1; step <= max_steps; ++step) {
     int next = first_due_[static_cast<std::size_t>(step)];
@@ -136,7 +129,8 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pos
         steps_ += step;
         return step - 1;
       }
-      if (is_ball) schedule(item, distance_[item], travel[item], step, max_steps);
+      if (is_ball)
+        schedule(item, distance_[item], travel(p_CB_W_.col(item), 0), step, max_steps);
     }
   }
   steps_ += max_steps + 1;
@@ -146,7 +140,8 @@ int ObjectWalk::advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pos
 void ObjectWalk::translate(const Eigen::Vector3d& direction_W, int max_steps) {
   // In O, the hand moves in the opposite direction.
   const Eigen::Vector3d step_O = R_OW_ * (-step_ * direction_W);
-  const int gone = advance(travel_of_step_, max_steps, [&](int step) -> Pose {
+  const auto travel = [this](const Eigen::Vector3d&, double) { return step_; };
+  const int gone = advance(max_steps, travel, [&](int step) -> Pose {
     return {R_OW_, p_OC_, step * step_O};
   });
   p_OC_ += gone * step_O;
@@ -156,8 +151,11 @@ void ObjectWalk::rotate(const Eigen::Vector3d& axis_W, int max_steps) {
   const auto turned = [&](int step) -> Eigen::Matrix3d {
     return R_OW_ * Eigen::AngleAxisd(-step * turn_, axis_W).toRotationMatrix();
   };
-  const int gone = advance(travel_of_turn_, max_steps,
-                           [&](int step) -> Pose { return {turned(step), p_OC_}; });
+  const auto travel = [&](const Eigen::Vector3d& p_CB_W, double radius) {
+    return turn_ * (axis_W.cross(p_CB_W).norm() + radius);
+  };
+  const int gone =
+      advance(max_steps, travel, [&](int step) -> Pose { return {turned(step), p_OC_}; });
   R_OW_ = turned(gone);
 }
 

@@ -56,17 +56,15 @@ class ObjectWalk {
     Pose at;
   };
 
-  void make_groups(const std::vector<BallGroup>& groups);
-  template <typename PoseAt>
-  int advance(const Eigen::VectorXd& travel, int max_steps, PoseAt pose_at);
+  template <typename Travel, typename PoseAt>
+  int advance(int max_steps, Travel travel, PoseAt pose_at);
   void schedule(int item, double bound, double travel, int from, int max_steps);
-  bool group_hits(int index, const Pose& pose, const Eigen::VectorXd& travel, int step,
-                  int max_steps);
+  template <typename Travel>
+  bool group_hits(int index, const Pose& pose, Travel travel, int step, int max_steps);
   bool hits(Eigen::Index ball, const Eigen::Vector3d& p_O);
 
   Eigen::Matrix3Xd p_CB_W_;
   Eigen::VectorXd radii_;
-  Eigen::VectorXd travel_of_step_, travel_of_turn_;  // of balls, then of groups
   Eigen::Matrix3d R_OW_, R_OW_start_;
   Eigen::Vector3d p_OC_, p_OC_start_;
   double step_, turn_;

@@ -123,9 +123,10 @@ TEST(WayOut, FindsNoWayAboveTheBound) {
     const Certificate found = certificate_of(problem, without_search());
     const StillHand hand(problem, problem.q_start);
     const Core& core = problem.object.core();
+    const std::vector<int> near = hand.balls_outside(core);
     const CoreLoop loop =
-        core.loop(hand.ring(problem.object.loops().found[0].points, 0, core).points_O);
-    const HandRing ring = hand.ring(loop.points, loop.radius, core);
+        core.loop(hand.ring(problem.object.loops().found[0].points, 0, near).points_O);
+    const HandRing ring = hand.ring(loop.points, loop.radius, near);
     collision::Clearance clearance = problem.object.outer_clearance();
     WayOut search(hand, ring, loop.points, clearance, 3);
     EXPECT_FALSE(search.exists(found.upper + 1e-4, 3000)) << gap;
