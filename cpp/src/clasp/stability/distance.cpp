@@ -38,7 +38,8 @@ Distance distance_to(const geometry::PlacedShape& placed) {
 }
 
 Body body_of(const robot::LinkShape& shape) {
-  Body body{shape.link, distance_to(shape.placed), Eigen::Vector3d::Zero(), 0};
+  const bool is_convex = !std::holds_alternative<geometry::Mesh>(shape.placed.shape);
+  Body body{shape.link, distance_to(shape.placed), Eigen::Vector3d::Zero(), 0, is_convex};
   const std::vector<Sphere> spheres = covered(shape.placed, MeshInside::hull).spheres;
   for (const Sphere& sphere : spheres)
     body.center_L += sphere.center / static_cast<double>(spheres.size());

@@ -25,7 +25,8 @@ struct Body {
   int link;
   Distance distance;
   Eigen::Vector3d center_L;
-  double radius;  ///< [m]
+  double radius;   ///< [m]
+  bool is_convex;  ///< then the distance is a convex function, too
 
   /// Lower bound on the distance of a point [m]; cheap.
   double at_least(const Eigen::Vector3d& p_L) const { return (p_L - center_L).norm() - radius; }

@@ -150,7 +150,7 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach) const {
     points_W.col(count) = point.p_W;
     distances[count++] = point.distance;
   }
-  return {points_W, std::move(ranges), std::move(distances), Points(points_W)};
+  return {std::move(points_W), std::move(ranges), std::move(distances)};
 }
 
 LoadEffort LoadTester::effort_of(const Vector6d& load, const NearPoints& points,

@@ -26,6 +26,24 @@ double window(const Vector3d& p_W, const Posture& hand) {
 
 }  // namespace
 
+NearPoints::NearPoints(Eigen::Matrix3Xd points_W, std::vector<Range> of_bodies,
+                       Eigen::ArrayXd distances)
+    : p_W(std::move(points_W)),
+      ranges(std::move(of_bodies)),
+      distance(std::move(distances)),
+      measured_W(p_W) {
+  constexpr Eigen::Index kBlock = 32;
+  for (const auto& [body, first, count] : ranges) {
+    for (Eigen::Index begin = first; begin < first + count; begin += kBlock) {
+      const Eigen::Index size = std::min(kBlock, first + count - begin);
+      const auto some = p_W.middleCols(begin, size);
+      const Vector3d middle = (some.rowwise().minCoeff() + some.rowwise().maxCoeff()) / 2;
+      const double radius = (some.colwise() - middle).colwise().norm().maxCoeff();
+      blocks.push_back({{body, begin, size}, middle, radius});
+    }
+  }
+}
+
 PosedContacts::PosedContacts(NearPoints& points, const Eigen::Isometry3d& moved,
                              const std::vector<Body>& bodies, const Posture& hand)
     : points_(points),
@@ -37,6 +55,10 @@ PosedContacts::PosedContacts(NearPoints& points, const Eigen::Isometry3d& moved,
   const auto way =
       ((p_W_.x - from.x).square() + (p_W_.y - from.y).square() + (p_W_.z - from.z).square()).sqrt();
   gap_ = kMetre * (points.distance - way - kRound).max(0);
+  for (const auto& [range, middle_W, radius] : points.blocks) {
+    middles_W_.push_back(moved * middle_W);
+    least_.push_back(gap_.segment(range.begin, range.size).minCoeff());
+  }
 }
 
 /// Replaces the bound on a gap by the gap.
@@ -80,31 +102,38 @@ const LoadContact* PosedContacts::at(Eigen::Index point) {
   return std::isfinite(gap_[point]) ? contact(point, body) : nullptr;
 }
 
+/// False if a measured point does not pass its contact in a motion relative to the body [mm]. The
+/// distance from a convex body is convex: along the normal, it grows by no more than on the way back.
+bool PosedContacts::may_pass(Eigen::Index point, const Body& body, const Vector3d& motion_W) const {
+  if (!body.is_convex) return true;
+  const Vector3d back_W = p_W_[point] - motion_W / kMetre;
+  const auto link = static_cast<std::size_t>(body.link);
+  const double there = body.distance(hand_.X_LW[link] * back_W, HUGE_VAL);
+  return kMetre * (there - points_.distance[point]) + kRounding > gap_[point];
+}
+
 /// A contact is passed by the part of the point's motion relative to the body along its normal,
 /// which is at most the whole of that motion, v + w x p.
 std::vector<const LoadContact*> PosedContacts::near(const Vector6d& move, const VectorXd& yield) {
   const Vector3d turn = move.tail<3>() * kMetre / kArm;
   std::vector<const LoadContact*> found;
-  Eigen::ArrayXd squared;  // lengths of the motions [mm^2]
-  for (const NearPoints::Range& range : points_.ranges) {
+  for (std::size_t k = 0; k < points_.blocks.size(); ++k) {
+    const auto& [range, middle_W, radius] = points_.blocks[k];
     const Body& body = bodies_[range.body];
     const Vector6d twist = hand_.twists[static_cast<std::size_t>(body.link)] * yield;
     const Vector3d w = turn - twist.tail<3>();  // [mm/m]
     const Vector3d v = move.head<3>() - twist.head<3>() - turn.cross(hand_.center_W);
-    const auto x = p_W_.x.segment(range.begin, range.size),
-               y = p_W_.y.segment(range.begin, range.size),
-               z = p_W_.z.segment(range.begin, range.size);
-    squared = (v.x() + w.y() * z - w.z() * y).square() + (v.y() + w.z() * x - w.x() * z).square() +
-              (v.z() + w.x() * y - w.y() * x).square();
-    for (Eigen::Index i = 0; i < range.size; ++i) {
-      const Eigen::Index point = range.begin + i;
+    const auto motion = [&](const Vector3d& p_W) -> Vector3d { return v + w.cross(p_W); };
+    if (motion(middles_W_[k]).norm() + w.norm() * radius <= least_[k]) continue;
+    for (Eigen::Index point = range.begin; point < range.begin + range.size; ++point) {
+      const Vector3d way = motion(p_W_[point]);
       const auto is_short = [&] {
         const double most = gap_[point] + kRounding;
-        return squared[i] <= most * most;
+        return way.squaredNorm() <= most * most;
       };
       if (is_short()) continue;
       measure(point, body);
-      if (!is_short()) found.push_back(contact(point, body));
+      if (!is_short() && may_pass(point, body, way)) found.push_back(contact(point, body));
     }
   }
   return found;

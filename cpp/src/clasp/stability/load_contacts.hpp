@@ -44,9 +44,18 @@ struct NearPoints {
     std::size_t body;
     Eigen::Index begin, size;
   };
+  /// Some of these, in a ball of this radius about their middle [m].
+  struct Block {
+    Range points;
+    Eigen::Vector3d middle_W;
+    double radius;
+  };
+
+  NearPoints(Eigen::Matrix3Xd p_W, std::vector<Range> ranges, Eigen::ArrayXd distance);
 
   Eigen::Matrix3Xd p_W;  ///< before the object moves [m]
   std::vector<Range> ranges;
+  std::vector<Block> blocks;
   Eigen::ArrayXd distance;  ///< from the body when it was last measured [m]
   Points measured_W;        ///< where the points were then
 };
@@ -67,11 +76,14 @@ class PosedContacts final : public LoadContacts {
  private:
   void measure(Eigen::Index point, const Body& body);
   const LoadContact* contact(Eigen::Index point, const Body& body);
+  bool may_pass(Eigen::Index point, const Body& body, const Eigen::Vector3d& motion_W) const;
 
   NearPoints& points_;
   const std::vector<Body>& bodies_;
   const Posture& hand_;
   Points p_W_;
+  std::vector<Eigen::Vector3d> middles_W_;  // of the blocks
+  std::vector<double> least_;               // bound on the gaps of each block [mm]
   Eigen::ArrayXd gap_;  // or a lower bound [mm]; infinite where no step closes it
   std::vector<char> is_measured_;
   std::unordered_map<Eigen::Index, LoadContact> contacts_;

@@ -51,7 +51,7 @@ class PosedContactsTest : public ::testing::Test {
       while (distance(p_W.col(i), body) < 0 || distance(p_W.col(i), body) > kReach);
       distances[i] = distance(p_W.col(i), body);
     }
-    return {p_W, {{0, 0, count}, {1, count, count}}, distances, Points(p_W)};
+    return {p_W, {{0, 0, count}, {1, count, count}}, distances};
   }
 
   std::mt19937_64 rng_{5};
