@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "clasp/free_space/link_spheres.hpp"
+#include "clasp/free_space/object_collision.hpp"
 #include "clasp/spaces.hpp"
 #include "robot/robots.hpp"
 
@@ -107,6 +109,35 @@ TEST_P(FreeSpaceOf, MotionsAreWhatFclSaysStepByStep) {
   EXPECT_GT(looked, 40);
   EXPECT_GT(free, looked / 10);
   EXPECT_LT(free, looked * 9 / 10);
+}
+
+/// Links that spheres prove apart do not touch for FCL, and most that do not touch are proven.
+TEST_P(FreeSpaceOf, LinksThatAreApartDoNotTouch) {
+  std::mt19937_64 rng(4);
+  int apart = 0, touching = 0, looked = 0;
+  for (int i = 0; i < 12; ++i) {
+    VectorXd q0;
+    const Problem problem = near_palm(GetParam(), rng, q0);
+    const std::vector<SphereTree> trees = link_spheres(problem.robot);
+    const auto clearance = problem.object.borrow_outer_clearance();
+    ObjectCollision collision(problem);
+    for (int j = 0; j < 100; ++j) {
+      robot::Poses X_WL;
+      problem.robot.forward(problem.robot.clamp(moved(q0, 0.1 * (j % 4), rng)), X_WL);
+      for (const int link : collision.links()) {
+        const auto index = static_cast<std::size_t>(link);
+        const Isometry3d X_OL = problem.X_WO.inverse() * X_WL[index];
+        const bool touches = collision.touches_by_fcl(link, X_WL[index]);
+        const bool is_proven = is_apart(trees[index], X_OL, *clearance);
+        EXPECT_FALSE(touches && is_proven) << "problem " << i << ", link " << link;
+        apart += is_proven;
+        touching += touches;
+        ++looked;
+      }
+    }
+  }
+  EXPECT_GT(touching, looked / 50);
+  EXPECT_GT(apart, (looked - touching) * 9 / 10);
 }
 
 TEST(FreeSpace, SpheresSettleMostOfIt) {

@@ -78,6 +78,22 @@ TEST(Object, CopiesShare) {
   EXPECT_EQ(&ring.clearance(), &copy.clearance());
 }
 
+/// A grid comes back, and only one user has it at a time, who may outlive the object.
+TEST(Object, LendsAGridToOneAtATime) {
+  std::shared_ptr<collision::Clearance> first, second;
+  {
+    const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
+    const collision::Clearance* const grid = ring.borrow_outer_clearance().get();
+    first = ring.borrow_outer_clearance();
+    second = ring.borrow_outer_clearance();
+    EXPECT_EQ(first.get(), grid);
+    EXPECT_NE(second.get(), grid);
+    EXPECT_NEAR(first->bounds(Eigen::Vector3d::Zero(), 0).upper, 0.11, 0.01);
+  }
+  first.reset();
+  EXPECT_NEAR(second->distance(Eigen::Vector3d::Zero()), 0.11, 0.001);
+}
+
 TEST(Object, RefusesWhatHasNoLoopsToTake) {
   expect_refused([] { Object::from_cloud("dust", Eigen::Matrix3Xd::Random(3, 5)); }, "20");
 }

@@ -196,9 +196,12 @@ TEST(ObjectWalk, StopsWhereSteppingStops) {
   const auto direction = [&] {
     return Vector3d(normal(rng), normal(rng), normal(rng)).normalized();
   };
-  Eigen::Matrix3Xd balls(3, 12);
-  for (int i = 0; i < 12; ++i) balls.col(i) = 0.05 * direction();
-  const VectorXd radii = VectorXd::Constant(12, 0.006);
+  // Some near the object, and groups of others that mostly stay far away.
+  constexpr int kNear = 12, kBalls = 60;
+  Eigen::Matrix3Xd balls(3, kBalls);
+  for (int i = 0; i < kBalls; ++i) balls.col(i) = (i < kNear ? 0.05 : 0.2 + 0.005 * i) * direction();
+  VectorXd radii = VectorXd::Constant(kBalls, 0.006);
+  radii.tail(kBalls - kNear).setConstant(0.02);
   collision::Clearance clearance = problem.object.clearance();
   const StabilityOptions options;
   ObjectWalk walk(balls, radii, Matrix3d::Identity(), Vector3d(0, 0.1, 0), options, clearance);
@@ -206,7 +209,7 @@ TEST(ObjectWalk, StopsWhereSteppingStops) {
   Matrix3d R_OW = Matrix3d::Identity();
   Vector3d p_OC(0, 0.1, 0);
   const auto hits = [&](const Matrix3d& R, const Vector3d& p) {
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < kBalls; ++i) {
       if (clearance.distance(R * balls.col(i) + p) < radii[i]) return true;
     }
     return false;
