@@ -3,6 +3,7 @@
 #include "graspless/clasp/object.hpp"
 
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -84,6 +85,8 @@ TEST(Object, LendsAGridToOneAtATime) {
   {
     const Object ring = Object::from_cloud("ring", ring_cloud(0.12, 0.02));
     const collision::Clearance* const grid = ring.borrow_outer_clearance().get();
+    // Takes the memory, if the grid is gone.
+    const auto other = std::make_unique<collision::Clearance>(ring.outer_clearance());
     first = ring.borrow_outer_clearance();
     second = ring.borrow_outer_clearance();
     EXPECT_EQ(first.get(), grid);
