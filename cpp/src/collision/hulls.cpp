@@ -43,7 +43,10 @@ GRASPLESS_SIMD int index_of_farthest(const double* x, int count, const double* d
 class SurfaceCutter {
  public:
   SurfaceCutter(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles)
-      : vertices_(vertices), triangles_(triangles), order_(triangles.cols()) {
+      : vertices_(vertices),
+        triangles_(triangles),
+        order_(triangles.cols()),
+        used_by_(vertices.cols(), -1) {
     std::iota(order_.begin(), order_.end(), 0);
     middles_.resize(3, triangles.cols());
     for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
@@ -84,10 +87,12 @@ class SurfaceCutter {
   void add(int at, int begin, int end) {
     std::vector<int> used;
     for (int i = begin; i < end; ++i) {
-      for (int k = 0; k < 3; ++k) used.push_back(triangles_(k, order_[i]));
+      for (int k = 0; k < 3; ++k) {
+        const int vertex = triangles_(k, order_[i]);
+        if (std::exchange(used_by_[vertex], at) != at) used.push_back(vertex);
+      }
     }
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (used.size() <= kMaxVertices) std::sort(used.begin(), used.end());  // else only the box counts
     set_vertices(at, vertices_(Eigen::all, used));
     cut(at, begin, end);
   }
@@ -110,6 +115,7 @@ class SurfaceCutter {
   const Eigen::Matrix3Xd& vertices_;
   const Eigen::Matrix3Xi& triangles_;
   std::vector<int> order_;
+  std::vector<int> used_by_;  // of each vertex: the part that had it last
   Eigen::Matrix3Xd middles_;
   HullTree tree_;
 };

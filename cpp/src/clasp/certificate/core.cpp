@@ -60,6 +60,16 @@ std::vector<bool> outside(const geometry::Delaunay& delaunay, const std::vector<
   return reached;
 }
 
+const Vector3d kRay(0.5377, 0.3191, 0.7804);  // along no axis of a model
+
+/// Two directions across the ray, in rows.
+Eigen::Matrix<double, 2, 3> across_ray() {
+  Eigen::Matrix<double, 2, 3> directions;
+  directions.row(0) = kRay.unitOrthogonal().transpose();
+  directions.row(1) = kRay.normalized().cross(kRay.unitOrthogonal()).transpose();
+  return directions;
+}
+
 Vector3d middle(const Facet& facet, const Eigen::Matrix3Xd& points) {
   return (points.col(facet.vertices[0]) + points.col(facet.vertices[1]) +
           points.col(facet.vertices[2])) /
@@ -100,6 +110,7 @@ Core::Core(const geometry::Complex& complex) {
   for (std::size_t i = 0; i < rim.size(); ++i)
     boundary_.triangles.col(static_cast<Eigen::Index>(i)) = rim[i];
   surface_ = std::make_unique<collision::Clearance>(boundary_);
+  cast_shadows();
 
   std::vector<double> clear;
   for (const Vector3d& p : nodes) clear.push_back(reach(p));
@@ -121,11 +132,28 @@ Core::Core(const geometry::Complex& complex) {
     points_.col(static_cast<Eigen::Index>(i)) = nodes[i];
 }
 
+/// Computes shadows_.
+void Core::cast_shadows() {
+  constexpr double kRound = 1e-9;  // [m]
+  const Eigen::Matrix2Xd flat = across_ray() * boundary_.vertices;
+  shadows_.resize(boundary_.triangles.cols(), 4);
+  for (Eigen::Index i = 0; i < shadows_.rows(); ++i) {
+    const Eigen::Matrix<double, 2, 3> corners = flat(Eigen::all, boundary_.triangles.col(i));
+    const Eigen::Vector2d low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
+    shadows_.row(i) << low[0] - kRound, high[0] + kRound, low[1] - kRound, high[1] + kRound;
+  }
+}
+
 /// True if a ray from p leaves the material once more often than it enters it.
 bool Core::contains(const Vector3d& p) const {
-  const Vector3d ray = Vector3d(0.5377, 0.3191, 0.7804);  // along no axis of a model
+  const Vector3d ray = kRay;
+  const Eigen::Vector2d at = across_ray() * p;
   bool inside = false;
-  for (const auto& corners : boundary_.triangles.colwise()) {
+  for (Eigen::Index i = 0; i < shadows_.rows(); ++i) {
+    if (at[0] < shadows_(i, 0) || at[0] > shadows_(i, 1) || at[1] < shadows_(i, 2) ||
+        at[1] > shadows_(i, 3))
+      continue;
+    const auto corners = boundary_.triangles.col(i);
     const Vector3d a = boundary_.vertices.col(corners[0]) - p,
                    b = boundary_.vertices.col(corners[1]) - p,
                    c = boundary_.vertices.col(corners[2]) - p;

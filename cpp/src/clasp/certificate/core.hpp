@@ -39,6 +39,7 @@ class Core {
     double clear;  // distance from the boundary, or a bound on it [m]
   };
 
+  void cast_shadows();
   double reach(const Eigen::Vector3d& p) const { return surface_->distance(p); }
   Thin thinnest(const Thin& a, const Thin& b, double enough) const;
   Thin centered(Thin point, Eigen::Vector3d along) const;
@@ -47,6 +48,8 @@ class Core {
   double thicken(std::vector<Thin>& loop) const;
 
   geometry::Mesh boundary_;
+  // Boxes of its triangles, seen along the ray of contains(): low and high in each direction [m].
+  Eigen::ArrayX4d shadows_;
   std::unique_ptr<collision::Clearance> surface_;  // of the boundary; nothing without material
   Eigen::Matrix3Xd points_;         // centres of the tetrahedra, and of the triangles between them
   std::vector<SpatialEdge> edges_;  // from each tetrahedron to its triangles; width: -clearance
