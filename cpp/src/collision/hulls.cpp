@@ -92,7 +92,8 @@ class SurfaceCutter {
         if (std::exchange(used_by_[vertex], at) != at) used.push_back(vertex);
       }
     }
-    if (used.size() <= kMaxVertices) std::sort(used.begin(), used.end());  // else only the box counts
+    if (used.size() <= kMaxVertices)
+      std::sort(used.begin(), used.end());  // else only the box counts
     set_vertices(at, vertices_(Eigen::all, used));
     cut(at, begin, end);
   }

@@ -29,8 +29,8 @@ struct StillHand {
 
   /// Balls near the curves of the fingers that are not inside the object.
   std::vector<int> balls_outside(const Core& core) const;
-  /// Ring of some of the balls that is linked with a closed curve, 3 x n in O, along which a ball of
-  /// `radius` fits into the object.
+  /// Ring of some of the balls that is linked with a closed curve, 3 x n in O, along which a ball
+  /// of `radius` fits into the object.
   HandRing ring(const Eigen::Matrix3Xd& curve_O, double radius, const std::vector<int>& near) const;
 
   Eigen::Matrix3Xd p_OB;   ///< centres of the balls at the clasp, 3 x n in O [m]

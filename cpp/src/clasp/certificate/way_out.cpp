@@ -59,7 +59,8 @@ WayOut::WayOut(const StillHand& hand, const HandRing& ring, const Eigen::Matrix3
 }
 
 /// Calls visit(ball, travel) for each ball that may come too near on a way to `pose`, until it
-/// returns false. `shift` and `angle` are those of the way, `travel` bounds the length of the ball's.
+/// returns false. `shift` and `angle` are those of the way, `travel` bounds the length of the
+/// ball's.
 template <typename Visit>
 bool WayOut::all_near(const Pose& pose, double shift, double angle, Visit visit) const {
   constexpr double kMargin = 1e-4;  // above the least length that stays_free() halves [m]

@@ -81,7 +81,7 @@ class WayOut {
   const Pose clasp_;
   Eigen::VectorXd clear_;  // distance of each ball from the object at the clasp [m]
   std::vector<Group> groups_;
-  Eigen::Index last_touched_ = 0;  // a ball that was too near lately
+  Eigen::Index last_touched_ = 0;                      // a ball that was too near lately
   std::vector<std::pair<Eigen::Index, double>> near_;  // balls, and what each has to spare
   Pose start_;
   double at_start_ = 0;

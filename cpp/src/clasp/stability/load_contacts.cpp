@@ -103,7 +103,8 @@ const LoadContact* PosedContacts::at(Eigen::Index point) {
 }
 
 /// False if a measured point does not pass its contact in a motion relative to the body [mm]. The
-/// distance from a convex body is convex: along the normal, it grows by no more than on the way back.
+/// distance from a convex body is convex: along the normal, it grows by no more than on the way
+/// back.
 bool PosedContacts::may_pass(Eigen::Index point, const Body& body, const Vector3d& motion_W) const {
   if (!body.is_convex) return true;
   const Vector3d back_W = p_W_[point] - motion_W / kMetre;

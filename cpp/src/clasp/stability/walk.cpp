@@ -88,8 +88,8 @@ bool ObjectWalk::group_hits(int index, const Pose& pose, Travel travel, int step
   return false;
 }
 
-/// Schedules the next check of a ball or group: the first step at which it may hit, given a distance
-/// of at least `bound` [m] at step `from`.
+/// Schedules the next check of a ball or group: the first step at which it may hit, given a
+/// distance of at least `bound` [m] at step `from`.
 void ObjectWalk::schedule(int item, double bound, double travel, int from, int max_steps) {
   const double safe = bound / (travel + 1e-12);
   if (safe >= max_steps - from) return;
@@ -109,9 +109,8 @@ int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
   for (int i = 0; i < static_cast<int>(groups_.size()); ++i) {
     const Group& group = groups_[static_cast<std::size_t>(i)];
     // The largest singular value of the difference of two rotations is its norm / sqrt(2).
-    const double moved =
-        (start * group.balls.middle - group.at * group.balls.middle).norm() +
-        group.balls.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
+    const double moved = (start * group.balls.middle - group.at * group.balls.middle).norm() +
+                         group.balls.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
     schedule(balls + i, group.bound - moved, travel(group.balls.middle, group.balls.radius), 0,
              max_steps);
   }
@@ -129,8 +128,7 @@ int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
         steps_ += step;
         return step - 1;
       }
-      if (is_ball)
-        schedule(item, distance_[item], travel(p_CB_W_.col(item), 0), step, max_steps);
+      if (is_ball) schedule(item, distance_[item], travel(p_CB_W_.col(item), 0), step, max_steps);
     }
   }
   steps_ += max_steps + 1;
@@ -154,8 +152,9 @@ void ObjectWalk::rotate(const Eigen::Vector3d& axis_W, int max_steps) {
   const auto travel = [&](const Eigen::Vector3d& p_CB_W, double radius) {
     return turn_ * (axis_W.cross(p_CB_W).norm() + radius);
   };
-  const int gone =
-      advance(max_steps, travel, [&](int step) -> Pose { return {turned(step), p_OC_}; });
+  const int gone = advance(max_steps, travel, [&](int step) -> Pose {
+    return {turned(step), p_OC_};
+  });
   R_OW_ = turned(gone);
 }
 

@@ -199,7 +199,8 @@ TEST(ObjectWalk, StopsWhereSteppingStops) {
   // Some near the object, and groups of others that mostly stay far away.
   constexpr int kNear = 12, kBalls = 60;
   Eigen::Matrix3Xd balls(3, kBalls);
-  for (int i = 0; i < kBalls; ++i) balls.col(i) = (i < kNear ? 0.05 : 0.2 + 0.005 * i) * direction();
+  for (int i = 0; i < kBalls; ++i)
+    balls.col(i) = (i < kNear ? 0.05 : 0.2 + 0.005 * i) * direction();
   VectorXd radii = VectorXd::Constant(kBalls, 0.006);
   radii.tail(kBalls - kNear).setConstant(0.02);
   collision::Clearance clearance = problem.object.clearance();
