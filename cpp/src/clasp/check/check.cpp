@@ -157,7 +157,7 @@ void PlanChecker::check_closed_until_contact() {
   }
 }
 
-/// Repeats the planner's stability test, and runs an independent one by FCL alone.
+/// Repeats the planner's stability test, and runs another one, in which FCL decides.
 void PlanChecker::check_stability() {
   const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||

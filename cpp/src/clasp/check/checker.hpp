@@ -26,8 +26,8 @@ double double_integral(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
 /// Corners of the curve from the tip of a finger to the tip of the thumb, 3 x n in W [m].
 Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen::VectorXd& q);
 
-/// A short stability test by FCL alone: makes random moves of the object, each until it touches the
-/// hand at q. Returns true if the loop came free.
+/// A short stability test in which FCL decides: makes random moves of the object, each until it
+/// touches the hand at q. Returns true if the loop came free.
 bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q);
 
 /// Checks one plan.
