@@ -4,6 +4,7 @@
 
 import itertools
 import json
+import math
 
 import pytest
 
@@ -54,6 +55,14 @@ def test_the_paper_grid_is_whole():
     assert len(tasks) == 60
     assert {name for _, name, _ in tasks} == set(clasp.sample_object_names())
     assert run.count("paper", 2) == 120
+
+
+def test_searches_for_small_holes_are_limited_by_cycles():
+    small = next(iter(grids.small(1)))
+    budget = small.make_budget(None)
+    assert (budget.seconds, budget.iterations) == (math.inf, grids.CYCLES)
+    assert small.make_budget(2.0).seconds == 2.0
+    assert next(iter(grids.paper(1))).make_budget(None).iterations is None
 
 
 def test_every_start_is_free():

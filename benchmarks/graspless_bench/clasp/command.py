@@ -35,7 +35,10 @@ def add_parser(experiments: Any) -> None:
         "--seed", type=int, default=1, metavar="S", help="of the first run (%(default)s)"
     )
     parser.add_argument(
-        "--time", type=positive(float), metavar="S", help="limit of each query [s] (10; small: 1200 cycles)"
+        "--time",
+        type=positive(float),
+        metavar="S",
+        help="limit of each query [s] (10; small: none, but 1200 cycles)",
     )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.add_argument(
