@@ -24,16 +24,21 @@ std::vector<Rest> to_rests(const Normals& normals) {
 void bind_places(py::module_& m) {
   py::class_<Places>(m, "Places", "Places on an obstacle where a held object may be put down.")
       .def(py::init([](const Array& X_WO, const std::string& on, const Array& q_open,
-                       const Array& normal_W) {
-             return Places{to_poses(X_WO, "X_WO"), on, to_vector3(normal_W, "normal_W"),
+                       const Array& normal_W, const std::vector<Array>& way_out) {
+             Places places{to_poses(X_WO, "X_WO"), on, to_vector3(normal_W, "normal_W"),
                            to_vector(q_open, "q_open")};
+             for (const Array& q : way_out) places.way_out.push_back(to_vector(q, "way_out"));
+             return places;
            }),
            py::arg("X_WO"), py::arg("on"), py::arg("q_open"),
            py::arg_v("normal_W", Array(py::cast(Eigen::Vector3d(0, 0, 1))), "(0, 0, 1)"),
+           py::arg("way_out") = std::vector<Array>{},
            "X_WO: (N, 4, 4) poses of the object in the world, the best first. on: obstacle on "
            "which it then stands. q_open: (dof,) configuration\nwhose joints outside the arm's "
            "group open the hand [rad or m]. normal_W: (3,) unit normal of the obstacle's surface "
-           "in the world.")
+           "in the world.\nway_out: (N, dof) configurations along which the hand can leave the "
+           "object, the first with the hand open around it; it leaves it\nalong the same way "
+           "relative to the object, with the same fingers. Without them, it goes straight.")
       .def_property_readonly(
           "X_WO", [](const Places& self) { return from_poses(self.X_WO); },
           "(N, 4, 4) poses of the object in the world, the best first.")
@@ -41,6 +46,9 @@ void bind_places(py::module_& m) {
       .def_property_readonly(
           "q_open", [](const Places& self) -> Eigen::VectorXd { return self.q_open; },
           "(dof,) configuration whose joints outside the arm's group open the hand [rad or m].")
+      .def_readonly("way_out", &Places::way_out,
+                    "List of (dof,) configurations along which the hand can leave the object [rad "
+                    "or m]; empty: it goes straight.")
       .def_property_readonly(
           "normal_W", [](const Places& self) -> Eigen::Vector3d { return self.normal_W; },
           "(3,) unit normal of the obstacle's surface in the world.")
@@ -57,7 +65,8 @@ void bind_problem(py::module_& m) {
       .def(py::init([](const robot::Robot& robot, const std::string& frame, const Obstacle& object,
                        const std::optional<Array>& X_WO_goal, const Array& q_start,
                        const std::vector<Obstacle>& obstacles, const Normals& rests_on,
-                       const std::string& arm, const std::optional<Places>& places) {
+                       const std::string& arm, const std::optional<Places>& places,
+                       const std::optional<Array>& X_WO_hanging) {
              if (X_WO_goal.has_value() == places.has_value())
                throw std::invalid_argument("exactly one of X_WO_goal and places must be given");
              return Problem{
@@ -69,17 +78,20 @@ void bind_problem(py::module_& m) {
                  obstacles,
                  to_rests(rests_on),
                  to_configuration(robot, q_start, "q_start"),
-                 places};
+                 places,
+                 X_WO_hanging ? std::optional(to_pose(*X_WO_hanging, "X_WO_hanging"))
+                              : std::nullopt};
            }),
            py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
            py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
            py::arg("rests_on") = Normals{}, py::arg("arm") = "arm",
-           py::arg("places") = std::nullopt,
+           py::arg("places") = std::nullopt, py::arg("X_WO_hanging") = std::nullopt,
            "frame: link that holds the object. object: its shapes, and its pose at the "
            "start.\nX_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration "
            "at the start [rad or m]. rests_on: obstacles that\nthe object rests on at the start "
            "and may be dragged over, each with its unit normal (3,) in the world. arm: group of "
-           "the joints that move. places: where the object is put down; X_WO_goal is then None.")
+           "the joints that move. places: where the object is put down; X_WO_goal is then None.\n"
+           "X_WO_hanging: (4, 4) pose of a loose object at the start, as it hangs in the hand.")
       .def_property_readonly(
           "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
       .def_readonly("arm", &Problem::arm, "Group of the joints that move.")
@@ -93,6 +105,13 @@ void bind_problem(py::module_& m) {
           },
           "(4, 4) pose of the object in the world at the end; None with places.")
       .def_readonly("places", &Problem::places, "Where the object is put down, or None.")
+      .def_property_readonly(
+          "X_WO_hanging",
+          [](const Problem& self) -> std::optional<Pose> {
+            if (!self.X_WO_hanging) return std::nullopt;
+            return from_pose(*self.X_WO_hanging);
+          },
+          "(4, 4) pose of a loose object at the start, as it hangs in the hand; else None.")
       .def_property_readonly(
           "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
           "(dof,) configuration at the start [rad or m].")

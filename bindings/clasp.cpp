@@ -482,6 +482,50 @@ void bind_plan(py::module_& m) {
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
 }
 
+void bind_hang(py::module_& m) {
+  py::class_<Hang> found(m, "Hang", "How an object hangs in a closed hand that carries it.");
+  found.def_readonly("holds", &Hang::holds, "True if the hand holds it up.")
+      .def_property_readonly(
+          "X_WO", [](const Hang& self) { return from_pose(self.X_WO); },
+          "(4, 4) pose in the world where it comes to rest.")
+      .def_readonly("drop", &Hang::drop,
+                    "Distance by which the mean of its surface is lower there [m].")
+      .def_readonly("swing", &Hang::swing, "Angle by which it is turned there [rad].")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"holds", "drop", "swing"});
+      });
+  m.def(
+      "find_hang",
+      [](const Problem& problem, const Array& q, int loop) {
+        const Eigen::VectorXd given = to_configuration(problem.robot, q, "q");
+        const py::gil_scoped_release release;
+        return find_hang(problem, given, loop);
+      },
+      py::arg("problem"), py::arg("q"), py::arg("loop"),
+      R"(Lets the object sink by its own weight, without friction, until the closed hand holds it up.
+
+The weight acts on the mean of the points of the object's surface. Nothing else touches the object, and no joint
+gives way.
+
+Parameters
+----------
+problem : Problem
+q : (dof,) array
+    Configuration of all joints [rad or m].
+loop : int
+    Index in problem.object.loops.found.
+
+Returns
+-------
+Hang
+
+Raises
+------
+ValueError
+    If the problem, the loop or the configuration is invalid.
+)");
+}
+
 void bind_planner(py::module_& m) {
   m.def(
       "validate", [](const Hand& hand, const robot::Robot& robot) { clasp::validate(hand, robot); },
@@ -537,6 +581,7 @@ void bind_clasp(py::module_ m) {
   bind_problem(m);
   bind_stability(m);
   bind_pinch(m);
+  bind_hang(m);
   bind_certificate(m);
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_segment(m);

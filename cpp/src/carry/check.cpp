@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +23,10 @@ class Examination {
         plan_(plan),
         options_(options),
         held_(problem, options),
-        way_{problem.object.X_WB, problem.X_WO_goal, options.max_twist} {}
+        hanging_(hanging_replay(problem, options)),
+        way_{problem.object.X_WB, problem.X_WO_goal, options.max_twist} {
+    if (hanging_) hanging_->ignore_touched(problem.q_start);
+  }
 
   /// Proves what lies between the rows.
   scene::EdgeCertificate certify() {
@@ -30,6 +34,8 @@ class Examination {
     scene::EdgeCertificateMaker certificate;
     auto doubts = way_.prove(held_, carried(), options_);
     for (auto& doubt : held_.prove_free(carried())) doubts.push_back(std::move(doubt));
+    if (hanging_)
+      for (auto& doubt : hanging_->prove_free(carried())) doubts.push_back(std::move(doubt));
     certificate.add(carried().name, carried().positions, std::move(doubts));
     return certificate.take();
   }
@@ -81,7 +87,9 @@ class Examination {
                        [&](std::size_t row, const VectorXd& q) {
                          if (row == faulty_row) return;
                          const Isometry3d X_WO = held_.object_at(q);
-                         const auto touching = held_.touching(q, X_WO);
+                         auto touching = held_.touching(q, X_WO);
+                         if (touching.empty() && hanging_)
+                           touching = hanging_->touching(q, hanging_->object_at(q));
                          const std::string off = way_.fault_of(X_WO, options_);
                          if (touching.empty() && off.empty()) return;
                          faulty_row = row;
@@ -103,6 +111,7 @@ class Examination {
   const Plan& plan_;
   const Options& options_;
   HeldReplay held_;
+  std::optional<HeldReplay> hanging_;
   StraightWay way_;
   Faults faults_;
 };

@@ -31,15 +31,14 @@ double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle();
 }
 
-HeldReplay::HeldReplay(const Problem& problem, const Options& options)
+HeldReplay::HeldReplay(const Problem& problem, const Obstacle& object, std::vector<Rest> rests,
+                       const Options& options)
     : robot_(problem.robot),
       frame_(problem.robot.frame(problem.frame)),
-      X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
+      X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * object.X_WB),
       replay_(problem.robot),
-      object_(replay_.add(problem.object.name,
-                          collision::Solid(problem.object.shapes, problem.object.name), false)) {
+      object_(replay_.add(object.name, collision::Solid(object.shapes, object.name), false)) {
   exclude_hand(problem);
-  std::vector<Rest> rests = problem.rests_on;
   if (problem.places) rests.push_back({problem.places->on, problem.places->normal_W});
   for (const Obstacle& obstacle : problem.obstacles) {
     const int body = replay_.add(obstacle);
@@ -77,6 +76,25 @@ std::vector<std::string> HeldReplay::touching(const VectorXd& q, const Isometry3
 
 void HeldReplay::let_go() {
   for (const int body : holding_) replay_.world().add_pair(body, object_);
+}
+
+void HeldReplay::allow_sunk(const Places& places, double depth) {
+  collision::World& world = replay_.world();
+  world.allow_contact(object_, world.body(places.on), places.normal_W, depth);
+}
+
+void HeldReplay::ignore_touched(const VectorXd& q) {
+  touching(q, object_at(q));
+  for (const auto& [a, b] : replay_.world().all_collisions())
+    if (a == object_ || b == object_) replay_.world().remove_pair(a, b);
+}
+
+std::optional<HeldReplay> hanging_replay(const Problem& problem, const Options& options) {
+  if (!problem.X_WO_hanging) return std::nullopt;
+  Obstacle hanging = problem.object;
+  hanging.X_WB = *problem.X_WO_hanging;
+  hanging.name += " hanging";
+  return HeldReplay(problem, hanging, {}, options);
 }
 
 std::vector<scene::Doubt> HeldReplay::prove_free(const Segment& segment) {

@@ -4,6 +4,7 @@
 // Parts that check() of a straight path and of a place share. They use no code of the search.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,11 @@ constexpr double kSame = 1e-6;  // [m, rad]
 /// World in which a held object moves with its frame.
 class HeldReplay {
  public:
-  HeldReplay(const Problem& problem, const Options& options);
+  HeldReplay(const Problem& problem, const Options& options)
+      : HeldReplay(problem, problem.object, problem.rests_on, options) {}
+  /// `object` in place of problem.object, which rests on `rests`.
+  HeldReplay(const Problem& problem, const Obstacle& object, std::vector<Rest> rests,
+             const Options& options);
 
   Eigen::Isometry3d object_at(const Eigen::VectorXd& q) const {
     return robot_.pose(frame_, q) * X_FO_;
@@ -28,6 +33,10 @@ class HeldReplay {
   std::vector<std::string> touching(const Eigen::VectorXd& q, const Eigen::Isometry3d& X_WO);
   /// Tests the object against the links that hold it from now on.
   void let_go();
+  /// Lets the object be lower than that on which it is put down by `depth` [m].
+  void allow_sunk(const Places& places, double depth);
+  /// Stops testing the object against what it touches at q.
+  void ignore_touched(const Eigen::VectorXd& q);
   /// Doubts about the edges of a motion; the object moves with its frame, or stays at `put`.
   std::vector<scene::Doubt> prove_free(const Segment& segment);
   std::vector<scene::Doubt> prove_free(const Segment& segment, const Eigen::Isometry3d& put);
@@ -46,6 +55,9 @@ class HeldReplay {
   int object_;
   std::vector<int> holding_;  // bodies
 };
+
+/// World in which a loose object hangs in the hand; none if it does not.
+std::optional<HeldReplay> hanging_replay(const Problem& problem, const Options& options);
 
 /// The straight path of the object, from one pose to another, with a twist about its line.
 struct StraightWay {

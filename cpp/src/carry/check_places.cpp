@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -34,10 +35,15 @@ class PlaceExamination {
     check_object_poses();
     check_lengths();
     HeldReplay world(problem_, options_);
-    for (const char* name : {"transfer", "lower", "open"}) replay(segment(name), world);
+    std::optional<HeldReplay> hanging = hanging_replay(problem_, options_);
+    replay(segment("transfer"), world, hanging);
+    if (hanging) hanging->allow_sunk(places_, options_.height);
+    replay(segment("lower"), world, hanging);
+    hanging.reset();
+    replay(segment("open"), world, hanging);
     world.let_go();
     const Segment& retreat = segment("retreat");
-    replay(retreat, world);
+    replay(retreat, world, hanging);
     return faults_;
   }
 
@@ -46,6 +52,7 @@ class PlaceExamination {
       throw std::invalid_argument("plan: cannot be certified; " + faults_.front());
     scene::EdgeCertificateMaker certificate;
     HeldReplay world(problem_, options_);
+    std::optional<HeldReplay> hanging = hanging_replay(problem_, options_);
     for (const Segment& part : plan_.segments) {
       std::vector<scene::Doubt> doubts;
       if (part.name == "transfer") doubts = prove_level(world, part);
@@ -53,6 +60,10 @@ class PlaceExamination {
       if (part.name == "retreat") world.let_go();
       auto more = is_held(part) ? world.prove_free(part) : world.prove_free(part, place());
       for (auto& doubt : more) doubts.push_back(std::move(doubt));
+      if (hanging && is_held(part)) {
+        if (part.name == "lower") hanging->allow_sunk(places_, options_.height);
+        for (auto& doubt : hanging->prove_free(part)) doubts.push_back(std::move(doubt));
+      }
       certificate.add(part.name, part.positions, std::move(doubts));
     }
     return certificate.take();
@@ -87,8 +98,9 @@ class PlaceExamination {
   void check_joints() {
     for (const Segment& part : plan_.segments) {
       const bool opens = part.name == "open";
+      const bool leaves = part.name == "retreat" && !places_.way_out.empty();
       const VectorXd& hand = part.name == "retreat" ? places_.q_open : problem_.q_start;
-      for (std::size_t row = 0; row < part.positions.size(); ++row) {
+      for (std::size_t row = 0; row < (leaves ? 1 : part.positions.size()); ++row) {
         const VectorXd& q = part.positions[row];
         if (opens && moved(problem_, true, part.positions[0], q) > kSame)
           fault(part, row, "the arm moves while the hand opens");
@@ -129,6 +141,7 @@ class PlaceExamination {
     const int frame = problem_.robot.frame(problem_.frame);
     const Isometry3d from = problem_.robot.pose(frame, retreat.positions.front());
     const Isometry3d to = problem_.robot.pose(frame, retreat.positions.back());
+    if (!places_.way_out.empty()) return check_way_out(retreat, from.inverse() * to);
     if ((to.translation() - from.translation()).norm() < options_.retreat - options_.tolerance)
       fault(retreat, retreat.positions.size() - 1, "the hand is not options.retreat away");
     const StraightWay way{from, to};
@@ -137,6 +150,20 @@ class PlaceExamination {
           way.fault_of(problem_.robot.pose(frame, retreat.positions[row]), options_);
       if (!off.empty()) fault(retreat, row, "the hand leaves its straight path");
     }
+  }
+
+  /// The hand ends as far from where it opened as its way out leads, with those fingers.
+  void check_way_out(const Segment& retreat, const Isometry3d& X_FF) {
+    const VectorXd &first = places_.way_out.front(), &last = places_.way_out.back();
+    const int frame = problem_.robot.frame(problem_.frame);
+    const Isometry3d asked =
+        problem_.robot.pose(frame, first).inverse() * problem_.robot.pose(frame, last);
+    const bool is_there = (X_FF.translation() - asked.translation()).norm() <= options_.tolerance &&
+                          angle_between(X_FF.linear(), asked.linear()) <= options_.angle_tolerance;
+    const std::size_t end = retreat.positions.size() - 1;
+    if (!is_there) fault(retreat, end, "the hand is not at the end of its way out");
+    if (moved(problem_, false, last, retreat.positions[end]) > kSame)
+      fault(retreat, end, "the fingers are not as at the end of its way out");
   }
 
   StraightWay way_down() const {
@@ -155,13 +182,14 @@ class PlaceExamination {
     return std::min(angle(before), angle(places_.normal_W));
   }
 
-  void replay(const Segment& part, HeldReplay& world) {
+  void replay(const Segment& part, HeldReplay& world, std::optional<HeldReplay>& hanging) {
     std::size_t faulty_row = part.positions.size();  // one fault per row is enough
     const StraightWay down = way_down();
     scene::replay_rows(problem_.robot, part.positions, [&](std::size_t row, const VectorXd& q) {
       if (row == faulty_row) return;
       const Isometry3d X_WO = is_held(part) ? object_at(q) : place();
-      const auto touching = world.touching(q, X_WO);
+      auto touching = world.touching(q, X_WO);
+      if (touching.empty() && hanging) touching = hanging->touching(q, hanging->object_at(q));
       std::string wrong = touching.empty() ? "" : "collision " + touching.front();
       if (part.name == "lower" && wrong.empty()) wrong = down.fault_of(X_WO, options_);
       if (part.name == "transfer" && wrong.empty() && tilt(X_WO) > options_.max_tilt + kSame)

@@ -21,6 +21,7 @@ constexpr double kTurnPoint = 0.03;         // between their attitudes [rad]
 constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
 constexpr std::size_t kWithoutWay = 4;      // places to which a tree is grown
 constexpr int kTreeIterations = 1000;       // of each
+constexpr double kFarAway = -1000;          // height at which nothing is [m]
 
 robot::Ik without_whole_turns(const Problem& problem) {
   robot::Ik::Options options;
@@ -46,7 +47,8 @@ PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, plannin
       object_(scene_.add_object(problem.object.name, problem.object.shapes)),
       hand_(links_with(problem.robot, frame_, ik_.group())) {
   add_obstacles(scene_, object_, problem, options);
-  hold();
+  hanging_ = add_hanging(scene_, frame_, hand_, problem);
+  hold(0);
 }
 
 void PlaceSearch::run(Plan& plan) {
@@ -59,12 +61,11 @@ void PlaceSearch::run(Plan& plan) {
   std::size_t tried = 0;
   for (; tried < places_.X_WO.size() && without_way.size() < kWithoutWay; ++tried) {
     if (!clock_.spend()) break;
-    hold();
+    hold(options_.height);
     for (const VectorXd& q : configurations(places_.X_WO[tried])) {
-      hold();
+      hold(options_.height);
       std::optional<Putting> putting = put_at(static_cast<int>(tried), q);
       if (!putting) continue;
-      hold();
       if (add_transfer(*putting, 0, plan)) return;
       without_way.push_back(std::move(*putting));
       break;
@@ -80,8 +81,21 @@ void PlaceSearch::run(Plan& plan) {
   fail(tried, plan);
 }
 
-/// Fixes the object to the hand.
-void PlaceSearch::hold() { scene_.attach(object_, frame_, X_FO_, hand_); }
+/// Fixes the object to the hand. As it hangs, it may be lower than the support by `depth` [m].
+void PlaceSearch::hold(double depth) {
+  scene_.attach(object_, frame_, X_FO_, hand_);
+  if (hanging_ < 0) return;
+  const Isometry3d X_WF = problem_.robot.pose(frame_, problem_.q_start);
+  scene_.attach(hanging_, frame_, X_WF.inverse() * *problem_.X_WO_hanging, hand_);
+  collision::World& world = scene_.world();
+  world.allow_contact(hanging_, world.body(places_.on), places_.normal_W, depth);
+}
+
+/// Leaves the object where it is at q.
+void PlaceSearch::let_stand(const VectorXd& q) {
+  scene_.move_object(object_, object_at(q));
+  if (hanging_ >= 0) scene_.move_object(hanging_, Isometry3d(Eigen::Translation3d(0, 0, kFarAway)));
+}
 
 /// Configurations that hold the object at a pose, the nearest to the start first.
 std::vector<VectorXd> PlaceSearch::configurations(const Isometry3d& X_WO) {
@@ -124,14 +138,15 @@ std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
     refuse("the hand opens: " + touching(opened));
     return std::nullopt;
   }
-  scene_.move_object(object_, object_at(q));
+  let_stand(q);
   if (!scene_.is_free(opened)) {
     refuse("the open hand: " + touching(opened));
     return std::nullopt;
   }
   std::optional<Path> away = withdrawn(opened);
   if (!away) {
-    refuse("no straight way out for the open hand");
+    refuse(places_.way_out.empty() ? "no straight way out for the open hand"
+                                   : "the hand cannot leave as it came");
     return std::nullopt;
   }
   return Putting{place, std::move(lower), {q, opened}, std::move(*away)};
@@ -140,7 +155,7 @@ std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
 /// Goes to a place straight and level, and straight down, as far as the inverse kinematics follows
 /// from the start.
 bool PlaceSearch::go_straight(int place, Plan& plan) {
-  hold();
+  hold(0);
   const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
   const StraightPath way(problem_.object.X_WB,
                          Eigen::Translation3d(places_.normal_W * options_.height) * X_WO);
@@ -153,6 +168,7 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
   if (!transfer) return false;
   for (std::size_t i = 0; i + 1 < transfer->size(); ++i)
     if (!is_level((*transfer)[i], (*transfer)[i + 1])) return false;
+  hold(options_.height);
   const VectorXd& above = transfer->back();
   std::optional<Path> lower = follow(above, line(above, -places_.normal_W, options_.height));
   if (!lower) return false;
@@ -163,7 +179,7 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
 }
 
 bool PlaceSearch::add_transfer(const Putting& putting, int iterations, Plan& plan) {
-  hold();
+  hold(0);
   const auto full = [&](const VectorXd& arm) { return with_arm(arm, problem_.q_start); };
   planning::FreeSpace space;
   space.lower = arm_of(problem_.robot.lower());

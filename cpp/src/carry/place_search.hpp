@@ -42,6 +42,7 @@ class PlaceSearch {
   std::optional<Putting> let_go(int place, planning::Path lower);
   bool go_straight(int place, Plan& plan);
   std::optional<planning::Path> withdrawn(const Eigen::VectorXd& q);
+  std::optional<planning::Path> along_way_out(const Eigen::VectorXd& q);
   std::vector<Eigen::Isometry3d> line(const Eigen::VectorXd& q, const Eigen::Vector3d& along,
                                       double length) const;
   std::optional<planning::Path> follow(const Eigen::VectorXd& q,
@@ -55,7 +56,8 @@ class PlaceSearch {
   Eigen::VectorXd with_arm(const Eigen::VectorXd& arm, const Eigen::VectorXd& hand) const;
   Eigen::VectorXd arm_of(const Eigen::VectorXd& q) const;
   Eigen::Isometry3d object_at(const Eigen::VectorXd& q) const;
-  void hold();
+  void hold(double depth);
+  void let_stand(const Eigen::VectorXd& q);
   void append(const std::string& name, const planning::Path& path, bool held, Plan& plan) const;
   void fail(std::size_t tried, Plan& plan) const;
   std::string touching(const Eigen::VectorXd& q);
@@ -75,6 +77,7 @@ class PlaceSearch {
   Eigen::Vector3d up_O_;  // the support's normal at the places, in O
   scene::Scene scene_;
   int object_;
+  int hanging_ = -1;       // the object as it hangs
   std::vector<int> hand_;  // links that move with the object
   Statistics statistics_;
 };

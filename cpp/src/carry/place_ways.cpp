@@ -19,8 +19,10 @@ constexpr double kBranch = 0.25;  // a longer step has left the branch of the in
 
 }  // namespace
 
-/// Withdraws the open hand back along its own axis, up, or away from the object.
+/// Withdraws the hand along its way out, if there is one; else straight back along its own axis,
+/// up, or away from the object.
 std::optional<Path> PlaceSearch::withdrawn(const VectorXd& q) {
+  if (!places_.way_out.empty()) return along_way_out(q);
   const Isometry3d X_WF = problem_.robot.pose(frame_, q);
   const Vector3d back = -X_WF.linear().col(2);
   const Vector3d away = X_WF.translation() - scene_.world().pose(object_).translation();
@@ -30,6 +32,23 @@ std::optional<Path> PlaceSearch::withdrawn(const VectorXd& q) {
     if (std::optional<Path> path = follow(q, poses)) return path;
   }
   return std::nullopt;
+}
+
+/// Moves the hand from q as on its way out, in its own frame.
+std::optional<Path> PlaceSearch::along_way_out(const VectorXd& q) {
+  const Isometry3d X_WF = problem_.robot.pose(frame_, q);
+  const Isometry3d X_FW = problem_.robot.pose(frame_, places_.way_out.front()).inverse();
+  Path path{q};
+  for (const VectorXd& out : places_.way_out) {
+    ++statistics_.ik_calls;
+    const auto arm = ik_.solve_near(X_WF * X_FW * problem_.robot.pose(frame_, out), path.back());
+    if (!arm) return std::nullopt;
+    const VectorXd next = with_arm(arm_of(*arm), out);
+    if (problem_.robot.step(path.back(), next) > kBranch) return std::nullopt;
+    if (!is_free(path.back(), next)) return std::nullopt;
+    path.push_back(next);
+  }
+  return path;
 }
 
 /// Poses of the hand along a straight line from q, without turning.

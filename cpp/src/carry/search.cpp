@@ -52,6 +52,17 @@ void add_obstacles(scene::Scene& scene, int object, const Problem& problem,
   }
 }
 
+int add_hanging(scene::Scene& scene, int frame, const std::vector<int>& hand,
+                const Problem& problem) {
+  if (!problem.X_WO_hanging) return -1;
+  const int body = scene.add_object(problem.object.name + " hanging", problem.object.shapes);
+  for (const Obstacle& obstacle : problem.obstacles)
+    scene.world().add_pair(body, scene.world().body(obstacle.name));
+  const Eigen::Isometry3d X_WF = problem.robot.pose(frame, problem.q_start);
+  scene.attach(body, frame, X_WF.inverse() * *problem.X_WO_hanging, hand);
+  return body;
+}
+
 Search::Search(const Problem& problem, const Options& options, planning::Clock& clock)
     : problem_(problem),
       options_(options),
@@ -65,7 +76,17 @@ Search::Search(const Problem& problem, const Options& options, planning::Clock& 
                        static_cast<int>(std::ceil(object_path_.angle() / kTurnStep))})) {
   const int object = scene_.add_object(problem.object.name, problem.object.shapes);
   add_obstacles(scene_, object, problem, options);
-  scene_.attach(object, frame_, X_FO_, links_with(problem.robot, frame_, ik_.group()));
+  const std::vector<int> hand = links_with(problem.robot, frame_, ik_.group());
+  scene_.attach(object, frame_, X_FO_, hand);
+  const int hanging = add_hanging(scene_, frame_, hand, problem);
+  if (hanging >= 0) ignore_touched(hanging);
+}
+
+/// Stops testing a body against what it touches at the start.
+void Search::ignore_touched(int body) {
+  scene_.collision(problem_.q_start);  // places everything
+  for (const auto& [a, b] : scene_.world().all_collisions())
+    if (a == body || b == body) scene_.world().remove_pair(a, b);
 }
 
 std::pair<std::string, std::string> Search::touching_at_start() {

@@ -49,6 +49,7 @@ class Search {
   std::optional<Eigen::VectorXd> solve(const Cell& to, const Eigen::VectorXd& near);
   bool is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   std::vector<Eigen::VectorXd> path_to(int node) const;
+  void ignore_touched(int body);
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
 
   const Problem& problem_;
@@ -69,6 +70,11 @@ class Search {
 /// Adds the obstacles to a scene in which `object` is a body: it may touch those that it rests on,
 /// and that on which it is put down.
 void add_obstacles(scene::Scene& scene, int object, const Problem& problem, const Options& options);
+
+/// Adds the object a second time, as it hangs at q_start, and attaches it to `frame`; -1 if it does
+/// not hang.
+int add_hanging(scene::Scene& scene, int frame, const std::vector<int>& hand,
+                const Problem& problem);
 
 /// Indices of the links that do not move relative to `frame` while the joints of `arm` move.
 std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vector<int>& arm);

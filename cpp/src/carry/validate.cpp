@@ -51,6 +51,9 @@ void check_places(const Problem& problem) {
     geometry::require_pose(places.X_WO[i], "places.X_WO[" + std::to_string(i) + "]");
   check_rest(problem, {places.on, places.normal_W}, "places.on");
   robot::require_configuration(problem.robot, places.q_open, "places.q_open");
+  for (std::size_t i = 0; i < places.way_out.size(); ++i)
+    robot::require_configuration(problem.robot, places.way_out[i],
+                                 "places.way_out[" + std::to_string(i) + "]");
   const Eigen::Vector3d up_O = places.X_WO[0].linear().transpose() * places.normal_W;
   for (std::size_t i = 1; i < places.X_WO.size(); ++i) {
     if ((places.X_WO[i].linear() * up_O - places.normal_W).norm() < 1e-6) continue;
@@ -75,6 +78,7 @@ void validate(const Problem& problem) {
   robot::require_configuration(problem.robot, problem.q_start, "q_start");
   check_bodies(problem);
   check_rests(problem);
+  if (problem.X_WO_hanging) geometry::require_pose(*problem.X_WO_hanging, "X_WO_hanging");
   if (problem.places) {
     check_places(problem);
   } else {

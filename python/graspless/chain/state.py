@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames
+from .. import carry, clasp, frames
+from ..errors import TaskError
 from ..tasks.chain import HOLDING, ON_SUPPORT, Held, State
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ..frames import Matrix
+
+UNLINKED = 1e-9  # virtual linking of a finger that has left the loop
 
 
 def begins(plan: Any) -> tuple[Matrix | None, Matrix]:
@@ -68,9 +71,57 @@ def _held(plans: Sequence[Any]) -> Held | None:
     problem, fields = plan.task.problem, plan.task.fields
     if plan.kind not in HOLDING:
         return None
-    closes = next(p for p in reversed(plans) if p.kind != "carry").segments[-1]
-    q_open = np.asarray(closes.positions[0])
+    grasp = next(p for p in reversed(plans) if p.kind != "carry")
+    q_open = np.asarray(grasp.segments[-1].positions[0])
+    out = _way_out(grasp)
     if plan.kind == "carry":
-        return None if fields.place else Held(problem.arm, problem.frame, fields, q_open)
+        if fields.place:
+            return None
+        return Held(problem.arm, problem.frame, fields, q_open, out, lambda: _hangs_on(plan))
     frame = problem.hand.frame if plan.kind == "clasp" else problem.hand.grasp_frame
-    return Held(problem.hand.arm, frame, fields, q_open)
+    return Held(problem.hand.arm, frame, fields, q_open, out, lambda: _hangs(plan))
+
+
+def _way_out(grasp: Any) -> Matrix | None:
+    """[N, dof] the way on which the hand came into a clasp, back to where no finger is linked with
+    the loop and the hand is as far away as after a straight retreat; None for other grasps.
+    """
+    if grasp.kind != "clasp":
+        return None
+    problem, reach = grasp.task.problem, grasp.segments[0]
+    frame = problem.robot.frame(problem.hand.frame)
+    out: Matrix = np.asarray(reach.positions)[::-1]
+    places = np.array([problem.robot.pose(frame, q)[:3, 3] for q in out])
+    is_away = np.linalg.norm(places - places[0], axis=1) >= carry.Options().retreat
+    is_out = np.max(reach.virtual_linking, axis=1)[::-1] <= UNLINKED
+    enough = np.flatnonzero(is_away & is_out)
+    return out[: enough[0] + 1] if enough.size else out
+
+
+def _hangs(plan: Any) -> Matrix | None:
+    """[4, 4] X_WO at which the object hangs after a clasp; None if friction holds it fast.
+
+    Raises TaskError if it would slide out of the closed hand.
+    """
+    if plan.kind != "clasp" or plan.pinch is not None:
+        return None
+    found = clasp.find_hang(plan.task.problem, plan.segments[-1].positions[-1], plan.loop)
+    if not found.holds:
+        raise TaskError(
+            f"nothing but friction would keep the object in the closed hand: by its weight, it "
+            f"sinks {1000 * found.drop:.0f} mm and turns {np.degrees(found.swing):.0f} deg, and is "
+            "out of it"
+        )
+    return np.asarray(found.X_WO)
+
+
+def _hangs_on(plan: Any) -> Matrix | None:
+    """Does the same at the end of a carry: the object hangs as it did at its start."""
+    problem = plan.task.problem
+    if problem.X_WO_hanging is None:
+        return None
+    robot, frame = problem.robot, problem.robot.frame(problem.frame)
+    X_FW = np.linalg.inv(robot.pose(frame, problem.q_start))
+    X_WF = np.asarray(robot.pose(frame, plan.segments[-1].positions[-1]))
+    found: Matrix = X_WF @ X_FW @ problem.X_WO_hanging
+    return found

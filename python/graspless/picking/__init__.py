@@ -205,7 +205,7 @@ def labelled(robot: Any) -> dict[str, Any]:
 def _require_usable(found: Pick) -> None:
     """Raises TaskError if no strategy came to a search, and one because of a mistake."""
     mistakes = [attempt for attempt in found.attempts if attempt.is_mistake]
-    if mistakes and all(attempt.status == REFUSED for attempt in found.attempts):
+    if mistakes and all(a.status == REFUSED and not a.is_planned for a in found.attempts):
         which = f"{mistakes[0].robot}: " if len({a.robot for a in found.attempts}) > 1 else ""
         raise TaskError(f"{which}{mistakes[0].strategy}: {mistakes[0].reason}")
 

@@ -17,6 +17,7 @@ from ..errors import TaskError
 from ..tasks import scenes
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
+from . import loose
 from .place_fields import Place, place_of
 from .wish import dense, documents, plain
 
@@ -113,28 +114,29 @@ class Target:
         steps = sorted(range(TURNS), key=lambda k: min(k, TURNS - k))
         return [now + 2 * np.pi * k / TURNS for k in steps]
 
-    def fault(self, X_SO: Matrix) -> tuple[int, str]:
-        """Says why the object cannot stand at a pose, or nothing.
+    def fault(self, X_SO: Matrix, slack: float = 0.0) -> tuple[int, str]:
+        """Says why the object cannot stand at a pose, or up to `slack` from it [m], or nothing.
 
         The number counts the conditions that hold, in the order in which they are looked at.
         """
+        margin, gap = MARGIN + slack, GAP + slack
         inside = float(self.polygon.depth(X_SO[:2, 3]))
-        if inside < MARGIN:
+        if inside < margin:
             where = "beyond" if inside < 0 else "from"
             off = f"{100 * abs(inside):.1f} cm {where} the edge of {self.support.name}"
-            return 0, f"its middle would be {off}; {100 * MARGIN:.0f} cm within it are needed"
+            return 0, f"its middle would be {off}; {100 * margin:.0f} cm within it are needed"
         ring = _moved(self.ring, X_SO)
         if self.region is not None:
             region = self.region
-            out = [p for p in ring if region.depth(p) < 0 and self.polygon.contains(p)]
+            out = [p for p in ring if region.depth(p) < slack and self.polygon.contains(p)]
             if out:
                 return 1, self._too_small()
         X_OS = np.asarray(np.linalg.inv(X_SO), dtype=float)
         for name, other, polygon in self.taken:
             apart = np.linalg.norm(ring[:, None] - other[None], axis=2).min()
             is_within = polygon.contains(ring[0])
-            if apart < GAP or is_within or self.wish.outline.contains(_moved(other[:1], X_OS)[0]):
-                near = f"'{name}' is there, or less than {1000 * GAP:.0f} mm away"
+            if apart < gap or is_within or self.wish.outline.contains(_moved(other[:1], X_OS)[0]):
+                near = f"'{name}' is there, or less than {1000 * gap:.0f} mm away"
                 return 2, f"the place is taken: {near}"
         return 3, ""
 
@@ -200,12 +202,12 @@ def target_of(wish: Wish, given: Any) -> Target:
     return Target(wish, place, support)
 
 
-def refusal(target: Target) -> str:
-    """Says why the object can stand nowhere where it is asked for, or nothing."""
+def refusal(target: Target, slack: float = 0.0) -> str:
+    """Says why the object can stand nowhere where it is asked for, or nothing. See `fault`."""
     poses = target.spread() if target.place.pose is None else iter(target.asked())
     reasons = []
     for X_SO in poses:
-        reasons.append(target.fault(X_SO))
+        reasons.append(target.fault(X_SO, slack))
         if not reasons[-1][1]:
             return ""
     farthest = max(reach for reach, _ in reasons)
@@ -213,19 +215,25 @@ def refusal(target: Target) -> str:
     return max(dict.fromkeys(texts), key=texts.count)
 
 
-def stage_of(target: Target, grasp: Any) -> dict[str, Any] | str:
-    """Returns the stage of a chain that puts down what its first stage grasped, or a reason.
+def stage_of(target: Target, grasp: Any, lift: Any) -> dict[str, Any] | str:
+    """Returns the stage of a chain that puts down what it has grasped and lifted, or a reason.
 
-    `grasp` is the plan of that stage. After a slide one finger is below the object: it can only be
-    put down over an edge, as it was grasped.
+    `grasp` and `lift` are the plans of these stages. After a slide one finger is below the object:
+    it can only be put down over an edge, as it was grasped.
     """
+    sway = loose.sway_of(lift, target.wish)
+    if falls := loose.refusal(sway, lift, target.wish):
+        return falls
+    slack = 0.0 if sway is None else sway.off
     if target.place.pose is not None:
         poses = iter(target.asked())
     elif grasp.kind == "slide":
         poses = target.over_edges(_at_edge(grasp))
     else:
         poses = target.spread()
-    found = list(itertools.islice((X for X in poses if not target.fault(X)[1]), MOST))
+    found = list(itertools.islice((X for X in poses if not target.fault(X, slack)[1]), MOST))
+    if not found and grasp.kind != "slide":
+        return f"it may stand {1000 * slack:.0f} mm off, and {refusal(target, slack)}"
     if not found:
         return (
             f"a finger is below the object: it must lie over a real edge of {target.support.name}, "
@@ -246,6 +254,7 @@ def stage_of(target: Target, grasp: Any) -> dict[str, Any] | str:
             "poses": [plain(pose_fields(target.support.X_WS @ X_SO)) for X_SO in found],
         },
         "obstacles": obstacles,
+        **loose.place_options(sway),
     }
 
 

@@ -39,6 +39,8 @@ class Attempt:
         False if a pinch was tried and its hand cannot tumble or push: it has no round fingertips.
     is_mistake : bool
         True if the description of robot, hand or object was refused.
+    is_planned : bool
+        True if a grasp was planned, and was refused after that.
     """
 
     strategy: str
@@ -49,6 +51,7 @@ class Attempt:
     opening: float | None = field(default=None, repr=False)
     moves: bool = field(default=True, repr=False)
     is_mistake: bool = field(default=False, repr=False)
+    is_planned: bool = field(default=False, repr=False)
 
 
 @dataclass

@@ -12,6 +12,7 @@ from .. import chain, planning
 from .._api import check, plan_since
 from ..errors import OutOfTimeError, TaskError
 from ..tasks import task_from_dict
+from . import loose
 from . import place as places
 from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
@@ -20,13 +21,16 @@ from .result import FAULTY, NOT_FOUND, REFUSED
 from .strategies import LEAST_SECONDS, chain_of, explained, refusal, ways_of
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from ..chain import Plan
     from .place import Target
     from .result import Attempt
     from .wish import Wish
 
-# Slides press at random places; a pinch is the same with every seed, and so is a clasp's hole.
-SEEDS = {"pinch": 1, "rim": 1, "slide": 8, "clasp": 1}
+# Slides press at random places, and clasps hold at random places what shall be put down. A pinch is
+# the same with every seed.
+SEEDS = {"pinch": 1, "rim": 1, "slide": 8, "clasp": 4}
 APART = 2**32  # between their seeds: those of `best_of` follow each other
 
 
@@ -77,8 +81,10 @@ def attempt_plan(
         attempt.moves = isinstance(fingertips_of(first.task.problem), Fingertips)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
+    if plan and target is not None and not doubted:
+        attempt.reason = str(loose.sway_of(plan.stages[-1], wish) or "")
     if doubted:
-        attempt.status, attempt.reason = REFUSED, doubted
+        attempt.status, attempt.reason, attempt.is_planned = REFUSED, doubted, True
         return None
     if faults:
         attempt.status, attempt.reason = FAULTY, faults[0]
@@ -136,8 +142,7 @@ def _plan(
             iterations=way.iterations
         )
         faults: list[str] = []
-        for k in range(SEEDS[strategy]):
-            plan: Plan = plan_since(task.with_changes(seed=(seed + k * APART) % 2**64), began)
+        for plan in _grasps(strategy, task, seed, seconds, began, wish if target else None):
             doubted = doubt(plan, wish) if plan else ""
             if plan and not doubted and target is not None:
                 left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
@@ -154,9 +159,34 @@ def _plan(
     return plan, doubted, faults
 
 
+def _grasps(
+    strategy: str, task: Any, seed: int, seconds: float, began: float, steady: Wish | None
+) -> Iterator[Plan]:
+    """Yields plans of a strategy with several seeds.
+
+    If a clasp is to be put down, these are the first `SEEDS`, or as many as half of the time allows
+    or as it takes to find one that hangs still. The one that hangs most still comes first. `steady`
+    is then the wish.
+    """
+    seeds = ((seed + k * APART) % 2**64 for k in range(SEEDS[strategy]))
+    plans: Iterator[Plan] = (plan_since(task.with_changes(seed=one), began) for one in seeds)
+    if strategy != "clasp" or steady is None:
+        yield from plans
+        return
+    found = []
+    for plan in plans:
+        sway = loose.sway_of(plan.stages[-1], steady) if plan else None
+        found.append((0.0 if sway is None else sway.off, len(found), plan))
+        if not plan or found[-1][0] < loose.LITTLE or time.monotonic() - began > seconds / 2:
+            break
+    solved = [one for one in found if one[2]]
+    for _, _, plan in sorted(solved) if solved else found:
+        yield plan
+
+
 def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[Plan, str]:
     """Adds the stage that puts the object down. Returns the plan, and why it has no such stage."""
-    stage = places.stage_of(target, plan.stages[-2])
+    stage = places.stage_of(target, *plan.stages[-2:])
     if isinstance(stage, str):
         return plan, f"picked up, but not put down: {stage}"
     whole = document | {"stages": [*document["stages"], stage]}

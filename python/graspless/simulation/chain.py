@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Simulation of chains: a slide or a pinch followed by carries, executed in one run.
+"""Simulation of chains: a slide, a pinch or a clasp followed by carries, executed in one run.
 
-Before them, an arm may have moved the object with its fingertips: a run before that one.
+Before a slide or a pinch, an arm may have moved the object with its fingertips: a run before that
+one.
 
-The carries replace the lift by 10 cm of a slide or a pinch alone. If the last one puts the object
-down, the hand opens, withdraws, and the object must stand where it was put. A chain of a slide or a
-pinch alone is simulated as that one. Other chains are not simulated.
+The carries replace the lift by 10 cm of a slide or a pinch alone, and the pulls at a clasp alone.
+If the last one puts the object down, the hand opens, withdraws, and the object must stand where it
+was put. A chain of a single stage is simulated as that one. Other chains are not simulated.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import numpy as np
 from .. import timing
 from ..errors import TaskError
 from . import moved
+from .clasp import carried
 from .results import Trial
 from .settings import SLIDE_SPREAD, Slide
 from .slide import FAILURES as SLIDE_FAILURES
@@ -41,11 +43,13 @@ if TYPE_CHECKING:
 OPEN, RETREAT, REST = "open", "retreat", "rest"
 SPREAD = SLIDE_SPREAD
 FAILURES = {
+    **carried.FAILURES,
     **moved.FAILURES,
     **SLIDE_FAILURES,
     "not_placed": "the object did not stand free of the hand, where it was to be put down",
 }
 MEASURES = {
+    **carried.MEASURES,
     **moved.MEASURES,
     **SLIDE_MEASURES,  # of the lift: where nothing is carried
     "kept": "1 if the hand still held the object at the end as it had grasped it",
@@ -90,7 +94,9 @@ def _executed(
     settings: Slide | None,
     truth: Truth | None,
 ) -> Trial:
-    """Executes a slide or a pinch, and the carries after it."""
+    """Executes a slide, a pinch or a clasp, and the carries after it."""
+    if stages[0].kind == "clasp":
+        return carried.run(stages, variation, record=record)
     if len(stages) == 1:
         return execute(stages[0], variation, record=record, settings=settings)
     start = time.perf_counter()
@@ -113,24 +119,27 @@ def start(plan: Plan, variation: Variation) -> Running:
     first: Any = plan.stages[0]
     if first.kind == "fingertip":
         raise TaskError("a chain that begins with fingertips does not run step by step")
+    if first.kind == "clasp":
+        return carried.start(plan.stages, variation)
     if len(plan.stages) == 1:
         return running(Execution(first, variation, Slide()))
     return running(_Carried(plan.stages, variation, Slide()))
 
 
 def require_simulated(task: Any) -> None:
-    """Raises TaskError unless a chain is a slide or a pinch, and the carries after it.
+    """Raises TaskError unless a chain is a slide, a pinch or a clasp, and the carries after it.
 
-    Fingertips that an arm carries may come first.
+    Fingertips that an arm carries may come before a slide or a pinch.
     """
     kinds = [stage.kind for stage in task.problem.stages]
     has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
     first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
-    if first not in ("slide", "pinch") or set(others) - {"carry"}:
+    is_known = first in ("slide", "pinch") or (first == "clasp" and others and not has_arm)
+    if not is_known or set(others) - {"carry"}:
         raise TaskError(
-            f"a chain of {', '.join(kinds)} is not simulated (a slide and the carries after it, or "
-            "a pinch and these, are, also after one motion by the fingertips of an arm): plan its "
-            "stages as tasks of their own, and simulate those plans"
+            f"a chain of {', '.join(kinds)} is not simulated (a slide, a pinch or a clasp and the "
+            "carries after it are, the first two also after one motion by the fingertips of an "
+            "arm): plan its stages as tasks of their own, and simulate those plans"
         )
 
 

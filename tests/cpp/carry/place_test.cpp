@@ -11,46 +11,7 @@
 namespace graspless::carry {
 namespace {
 
-using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
-
-constexpr double kTop = 0.05, kHalf = 0.015;  // of the table, and of the bar [m]
-
-/// A pose of the bar, held from above: X_WO = X_WH.
-Isometry3d held_at(double x, double y, double z, double yaw = 0) {
-  Isometry3d X = Isometry3d::Identity();
-  X.translation() << x, y, z;
-  X.linear() =
-      AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();
-  return X;
-}
-
-Isometry3d on_table(double x, double y, double yaw = 0) { return held_at(x, y, kTop + kHalf, yaw); }
-
-/// A bar that a hand holds from above over a table, to be put down at some places.
-Problem over_table(const robot::Robot& robot, std::vector<Isometry3d> places) {
-  const int frame = robot.frame("grasp");
-  std::mt19937_64 rng(1);
-  const auto all = robot::Ik(robot, frame, robot.group("arm"))
-                       .solve_all(held_at(0.55, 0.1, 0.3), robot.state("home"), rng);
-  EXPECT_FALSE(all.empty());
-  Problem problem = held_box(robot, all.front(), {0, 0, 0.1});
-  problem.q_start[robot.joint("left_finger_joint")] = 0.15;
-  problem.obstacles = {
-      box("table", {0.7, 0.7, kTop}, moved(Isometry3d::Identity(), {0.6, 0, kTop / 2}))};
-  problem.places = Places{std::move(places), "table", Vector3d::UnitZ(), robot.state("open")};
-  return problem;
-}
-
-std::string faults_of(const Problem& problem, const Plan& plan, const Options& options = {}) {
-  std::string all;
-  for (const std::string& fault : check(problem, plan, options)) all += fault + "\n";
-  return all;
-}
-
-Segment& segment(Plan& plan, const std::string& name) {
-  return *std::find_if(plan.segments.begin(), plan.segments.end(),
-                       [&](const Segment& other) { return other.name == name; });
-}
+using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
 TEST(CarryPlace, PutsTheObjectWhereItIsAsked) {
   for (const robot::Robot* robot : {&wam(), &kr5()}) {
@@ -221,6 +182,7 @@ TEST(CarryPlaceValidate, NamesTheField) {
   refused([](Places& p) { p.X_WO[1].linear() = Eigen::Matrix3d::Identity(); }, "places.X_WO[1]");
   refused([](Places& p) { p.normal_W *= 2; }, "normal_W must have unit length");
   refused([](Places& p) { p.q_open.conservativeResize(3); }, "places.q_open");
+  refused([](Places& p) { p.way_out = {p.q_open, Eigen::VectorXd::Zero(3)}; }, "places.way_out[1]");
   Options options;
   options.max_tilt = 0;
   expect_refused([&] { plan(good, options); }, "options.max_tilt");

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Carries or drags a held object along a straight path, or puts it down. The object does not move
-// relative to the hand: a lift, or a quasi-static drag without slip in the hand.
+// relative to the hand: a lift, or a quasi-static drag without slip in the hand. A loose object may
+// also hang in it.
 #pragma once
 
 #include <array>
@@ -47,6 +48,12 @@ struct Problem {
   Eigen::VectorXd q_start;  ///< configuration at the start, all joints [rad or m]
   /// Where the object is put down, instead of a straight path to X_WO_goal, which does not count.
   std::optional<Places> places = std::nullopt;
+  /// Pose of a loose object at the start, as it hangs in the hand: between this pose and
+  /// object.X_WB, it may be anywhere. On the way, nothing may touch it at either pose. On a
+  /// straight path, that which it touches there at the start does not count. While it is lowered
+  /// onto a place, it may be lower than the support by `height` there, and it ends as it was at the
+  /// start.
+  std::optional<Eigen::Isometry3d> X_WO_hanging = std::nullopt;
 };
 
 /// Throws std::invalid_argument that names the field, its value and what is allowed.

@@ -16,6 +16,10 @@ struct Places {
   Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< unit normal of its surface
   /// Configuration whose joints outside the arm's group open the hand, all joints [rad or m].
   Eigen::VectorXd q_open;
+  /// Configurations along which the hand can leave the object, the first with the hand open around
+  /// it, all joints [rad or m]: the hand leaves it along the same way relative to the object, and
+  /// with the same fingers. Empty: it goes straight, and stays open.
+  std::vector<Eigen::VectorXd> way_out = {};
 };
 
 }  // namespace graspless::carry

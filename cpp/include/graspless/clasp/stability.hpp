@@ -6,6 +6,7 @@
 #include <string>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "graspless/clasp/problem.hpp"
 #include "graspless/export.hpp"
@@ -94,6 +95,22 @@ struct Pinch {
   double load = 0;   ///< largest multiple of the load, acting suddenly, that friction resists then
   double gap = 0;    ///< of the finger that is farther from the object [m]; it must touch, to 3 mm
 };
+
+/// How an object hangs in a closed hand that carries it.
+struct Hang {
+  /// True if the hand holds it up: it comes to rest with the loop no farther from the hand's centre
+  /// than the escape distance.
+  bool holds = false;
+  Eigen::Isometry3d X_WO = Eigen::Isometry3d::Identity();  ///< where it comes to rest
+  double drop = 0;   ///< distance by which the mean of its surface is lower there [m]
+  double swing = 0;  ///< angle by which it is turned there [rad]
+};
+
+/// Lets the object sink from problem.X_WO by its own weight, without friction and inertia, until
+/// links of the robot at q hold it up. The weight acts along -z of the world on the mean of the
+/// points of the object's surface. There is no support and no obstacle, and no joint gives way.
+/// Throws std::invalid_argument on an invalid problem, loop or configuration.
+GRASPLESS_API Hang find_hang(const Problem& problem, const Eigen::VectorXd& q, int loop);
 
 /// Tests if friction holds the object between finger and thumb at configuration q. Each presses
 /// with 1 N on two points, the ends of its contact with the object along the bar, and

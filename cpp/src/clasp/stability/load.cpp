@@ -27,16 +27,15 @@ constexpr double kCellSize = 0.002;  // of space, for each of which one point is
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
 constexpr int kMoves = 6;
 
-/// Motion of a body whose step is given in mm, about a point.
-Eigen::Isometry3d motion(const Vector6d& move, const Vector3d& center_W) {
+}  // namespace
+
+Eigen::Isometry3d motion_of(const Vector6d& move, const Vector3d& center_W) {
   const Vector3d turn = move.tail<3>() / kArm;
   const double angle = turn.norm();
   const Vector3d axis = angle > 0 ? Vector3d(turn / angle) : Vector3d::UnitX();
   return Eigen::Translation3d(center_W + move.head<3>() / kMetre) * Eigen::AngleAxisd(angle, axis) *
          Eigen::Translation3d(-center_W);
 }
-
-}  // namespace
 
 mechanics::Matrix6Xd loads_W(const Eigen::Matrix3d& R_WH, double force, double torque) {
   mechanics::Matrix6Xd loads(6, 36);
@@ -99,9 +98,10 @@ Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
 }
 
 /// Points of the object's surface near bodies of the hand.
-NearPoints LoadTester::near_points(const Posture& hand, double reach) const {
+NearPoints LoadTester::near_points(const Posture& hand, double reach,
+                                   const Eigen::Isometry3d& X_WO) const {
   const geometry::Mesh& surface = problem_.object.surface();
-  const Eigen::Matrix3Xd p_W = problem_.X_WO * surface.vertices;
+  const Eigen::Matrix3Xd p_W = X_WO * surface.vertices;
   const auto in_link = [&](const Vector3d& p, const Body& body) -> Vector3d {
     return hand.X_LW[static_cast<std::size_t>(body.link)] * p;
   };
@@ -174,7 +174,7 @@ LoadEffort LoadTester::effort_of(const Vector6d& load, const NearPoints& points,
     }
     if (next.effort > most.effort)
       most = {next.effort, next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
-    moved = motion(next.move, hand.center_W) * moved;
+    moved = motion_of(next.move, hand.center_W) * moved;
     if (next.move.lpNorm<Eigen::Infinity>() < kAtRest) break;
   }
   return most;
@@ -184,7 +184,7 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
                               double force, double torque, double enough) const {
   if (force == 0 && torque == 0) return {};
   const Posture hand = posture(q, center_W);
-  NearPoints points = near_points(hand, reach + kReach);
+  NearPoints points = near_points(hand, reach + kReach, problem_.X_WO);
   PosedContacts first(points, Eigen::Isometry3d::Identity(), bodies_, hand);  // of all loads
   const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
   const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);

@@ -20,6 +20,13 @@ namespace graspless::clasp {
 /// palm with every axis, 6 x 36 in W [N, Nm].
 mechanics::Matrix6Xd loads_W(const Eigen::Matrix3d& R_WH, double force, double torque);
 
+/// Motion of a body whose step is given in mm (angles as arcs of kArm), about a point.
+Eigen::Isometry3d motion_of(const mechanics::Vector6d& move, const Eigen::Vector3d& center_W);
+
+/// Mean of the points of the object's surface, which is as dense everywhere, in O: its centre of
+/// mass when it hangs.
+Eigen::Vector3d mean_of_surface(const Object& object);
+
 constexpr double kSudden = 2;  ///< force of a load that acts suddenly, relative to one at rest
 
 /// Largest effort that loads ask of a joint of the hand.
@@ -42,9 +49,16 @@ class LoadTester {
                     double force, double torque,
                     double enough = std::numeric_limits<double>::infinity()) const;
 
+  /// Pose of the object where its weight has brought it to rest in a hand that does not yield, or
+  /// where it has sunk by more than `most` [m].
+  Eigen::Isometry3d hang(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W, double reach,
+                         double most) const;
+
  private:
   Posture posture(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W) const;
-  NearPoints near_points(const Posture& hand, double reach) const;
+  NearPoints near_points(const Posture& hand, double reach, const Eigen::Isometry3d& X_WO) const;
+  bool sink(const Posture& hand, NearPoints& points, LoadStepper& stepper,
+            const Eigen::Vector3d& mean_W, Eigen::Isometry3d& moved) const;
   LoadEffort effort_of(const mechanics::Vector6d& load, const NearPoints& points,
                        PosedContacts& first, const Posture& hand) const;
 

@@ -26,4 +26,10 @@ Stability test_stability(const Problem& problem, const Eigen::VectorXd& q, int l
   return StabilityTester(problem).test(q, loop_points(problem, loop), options);
 }
 
+Hang find_hang(const Problem& problem, const Eigen::VectorXd& q, int loop) {
+  validate(problem);
+  robot::require_configuration(problem.robot, q, "q");
+  return StabilityTester(problem).hang(q, loop_points(problem, loop));
+}
+
 }  // namespace graspless::clasp

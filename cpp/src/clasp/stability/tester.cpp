@@ -54,13 +54,33 @@ StabilityTester::StabilityTester(const Problem& problem)
       balls_(problem.robot),
       clearance_(problem.object.borrow_outer_clearance()) {}
 
+const LoadTester& StabilityTester::loads() {
+  if (!load_) load_.emplace(problem_);
+  return *load_;
+}
+
+Hang StabilityTester::hang(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O) {
+  kinematics_.update(q);
+  const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
+  const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+  const double reach = (nodes.colwise() - p_WC).colwise().norm().maxCoeff();
+  const double escape = half_length(kinematics_);
+  Hang result;
+  result.X_WO = loads().hang(q, p_WC, reach, 2 * escape);
+  const Eigen::Isometry3d moved = result.X_WO * X_OW_;
+  const Eigen::Vector3d mean_W = problem_.X_WO * mean_of_surface(problem_.object);
+  result.drop = mean_W.z() - (moved * mean_W).z();
+  result.swing = Eigen::AngleAxisd(moved.linear()).angle();
+  result.holds = distance_to_loop(result.X_WO * loop_O, p_WC) <= escape && result.drop < 2 * escape;
+  return result;
+}
+
 /// Sets what the motors withstand.
 void StabilityTester::load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC,
                            const StabilityOptions& options, double enough, Stability& result) {
-  if (!load_) load_.emplace(problem_);
   const double reach = (kinematics_.nodes().colwise() - p_WC).colwise().norm().maxCoeff();
   const LoadEffort most =
-      load_->effort(q, p_WC, reach, options.force, options.torque, options.force / enough);
+      loads().effort(q, p_WC, reach, options.force, options.torque, options.force / enough);
   result.withstands = std::min(options.force / most.effort, mechanics::kMaxForce);
   if (most.joint >= 0)
     result.opens_first = problem_.robot.joint_names()[static_cast<std::size_t>(most.joint)];

@@ -34,9 +34,13 @@ class StabilityTester {
     return test(q, loop_O, options, 1, enough);
   }
 
+  /// How the object hangs; see find_hang(). q must be valid.
+  Hang hang(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O);
+
  private:
   Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                  const StabilityOptions& options, int least_sequences, double enough);
+  const LoadTester& loads();
   void load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC, const StabilityOptions& options,
             double enough, Stability& result);
 

@@ -29,7 +29,7 @@ from .judge import Judge
 from .model import make_world
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Sequence
+    from collections.abc import Generator, Mapping, Sequence
 
     from ... import clasp, geometry
     from ...clasp import Plan
@@ -108,12 +108,8 @@ def _prepare(
     execution = Execution(world, judge, problem.hand, problem.robot, recorder)
 
     def steps() -> Generator[str, None, Trial]:
-        failures: list[str] = []
-        measures = yield from _close(execution, timed(plan))
-        if execution.touched or not measures["moved_before"] <= chosen.hit:
-            failures.append("hit")
-        if measures["linking"] == 0 or left_open(plan, chosen, solids) > chosen.left:
-            failures.append("not_closed")
+        measures = yield from close(execution, timed(plan))
+        failures = has_closed(execution, plan, measures, solids)
         if judge.linked():  # otherwise the loop was never in the hand
             seeds = _seeds(plan, variation, chosen.sequences)
             pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
@@ -205,8 +201,8 @@ def _pulled(
     return failures, measures
 
 
-def _close(execution: Execution, trajectory: Trajectory) -> Generator[str, None, dict[str, float]]:
-    """Reaches, closes and grips."""
+def close(execution: Execution, trajectory: Trajectory) -> Generator[str, None, dict[str, float]]:
+    """Reaches, closes and grips. Returns measures."""
     resting = execution.surface()
     yield from execution.settle(execution.world.settings.lead)
     moved = yield from execution.follow(trajectory)
@@ -218,6 +214,22 @@ def _close(execution: Execution, trajectory: Trajectory) -> Generator[str, None,
         "linking": execution.judge.linking(),
         "grip": float(torque.max()),
     }
+
+
+def has_closed(
+    execution: Execution,
+    plan: Plan,
+    measures: Mapping[str, float],
+    solids: Sequence[geometry.PlacedShape] | None,
+) -> list[str]:
+    """Returns the failures of the motion until the hand has gripped."""
+    settings = execution.world.settings
+    failures = []
+    if execution.touched or not measures["moved_before"] <= settings.hit:
+        failures.append("hit")
+    if measures["linking"] == 0 or left_open(plan, settings, solids) > settings.left:
+        failures.append("not_closed")
+    return failures
 
 
 def _seeds(plan: Plan, variation: Variation, count: int) -> list[list[int]]:

@@ -99,7 +99,7 @@ class Execution:
         """
         step = self.world.model.opt.timestep
         moments = trajectory.at(np.arange(0.0, trajectory.duration + step, step))
-        commands = moments.positions + self._lags * moments.velocities
+        commands = self.commands(moments)
         names = moments.names
         moved: dict[str, float] = {}
         resting = self.surface()
@@ -107,6 +107,11 @@ class Execution:
             yield from self.steps(names[i], commands[i : i + self._steps])
             moved[names[i]] = max(self.moved(resting), moved.get(names[i], 0.0))
         return moved
+
+    def commands(self, moments: Trajectory) -> Matrix:
+        """Returns commands [steps, dof] that motors with damping follow without lag."""
+        commands: Matrix = moments.positions + self._lags * moments.velocities
+        return commands
 
     def surface(self) -> Matrix:
         """Points of the object in W [m]."""

@@ -57,7 +57,8 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
         q_start=build_home(given.robot, robot, source),
         obstacles=obstacles,
         rests_on=rests,
-        places=None if task.place is None else places(task.place, task.open, source),
+        places=None if task.place is None else places(task, source),
+        X_WO_hanging=None if task.hanging is None else pose_matrix(task.hanging),
     )
     try:
         carry.validate(problem)
@@ -77,13 +78,17 @@ def goal(task: model.CarryTask, X_WO: Matrix) -> Matrix:
     return frames.translation(task.line.distance * direction) @ X_WO
 
 
-def places(given: model.Places, q_open: list[float] | None, source: Source) -> carry.Places:
+def places(task: model.CarryTask, source: Source) -> carry.Places:
     """Returns the places where the object may be put down."""
-    if q_open is None:
+    given = task.place
+    assert given is not None
+    if task.open is None:
         raise source.error(("open",), "missing: the joints of the open hand")
     poses = np.stack([pose_matrix(pose) for pose in given.poses])
     normal = np.array(given.normal) / np.linalg.norm(given.normal)
-    return carry.Places(poses, given.on, np.array(q_open), normal)
+    return carry.Places(
+        poses, given.on, np.array(task.open), normal, [np.array(q) for q in task.way_out or []]
+    )
 
 
 def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
@@ -120,11 +125,13 @@ def _support(support: Any, source: Source) -> collision.Obstacle:
 # What the core calls a part of a problem, and where it stands in a task file.
 _PLACES: dict[str, Location] = {
     "X_WO_goal": ("goal",),
+    "X_WO_hanging": ("hanging",),
     "object": ("object",),
     "obstacles": ("obstacles",),
     "places.X_WO": ("place", "poses"),
     "places.on": ("place", "on"),
     "places.q_open": ("open",),
+    "places.way_out": ("way_out",),
     "q_start": ("robot", "home"),
     "rests_on": ("rests_on",),
 }

@@ -98,6 +98,11 @@ class CarryTask(Fields):
     frame: str | None = Field(default=None, description="link to which the object is fixed")
     object: Object | None = None
     pose: Pose | None = Field(default=None, description="pose of O in the world at the start")
+    hanging: Pose | None = Field(
+        default=None,
+        description="pose of a loose object at the start, as it hangs in the hand; nothing may "
+        "touch it there either",
+    )
     line: Line | None = Field(default=None, description="straight path along a direction")
     offset: Point3 | None = Field(default=None, description="instead: translation in the world [m]")
     goal: Pose | None = Field(
@@ -109,6 +114,11 @@ class CarryTask(Fields):
     open: list[float] | None = Field(
         default=None,
         description="with a place: all joints, of which those of the hand open it [rad or m]",
+    )
+    way_out: list[list[float]] | None = Field(
+        default=None,
+        description="with a place: all joints, on a way along which the hand leaves the object, "
+        "from open around it; relative to the object, it leaves the same way. Default: straight",
     )
     support: Support | None = Field(
         default=None, description="support of the slide before the carry"

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -41,12 +42,19 @@ class Held:
         Fields of the stage that grasped it.
     q_open : array [dof]
         All joints just before the hand closed [rad or m].
+    way_out : array [N, dof] or None
+        Configurations along which the open hand can leave the object [rad or m]; None: straight.
+    hanging : callable
+        Returns the pose X_WO [4, 4] at which a loose object hangs in the hand, or None if the hand
+        holds it fast. Raises TaskError if the hand would lose it.
     """
 
     arm: str
     frame: str
     fields: Any
     q_open: Matrix
+    way_out: Matrix | None
+    hanging: Callable[[], Matrix | None]
 
 
 @dataclass(frozen=True)
@@ -86,7 +94,8 @@ def hold_place(stage: StageSource) -> None:
 def _starts(data: dict[str, Any]) -> list[Location]:
     """Returns the fields in which a task of this kind gives its start."""
     if data["kind"] == "carry":
-        return [("robot",), ("arm",), ("frame",), ("object",), ("pose",), ("support",), ("open",)]
+        given = ("robot", "arm", "frame", "object", "pose", "hanging", "support", "open", "way_out")
+        return [(field,) for field in given]
     if data["kind"] != "fingertip":
         return [("object", "pose"), ("robot", "home")]
     moves = ("slide", "turn", "tumble")
@@ -165,8 +174,11 @@ def _carry(fields: Any, state: State) -> Any:
         "pose": as_pose(state.X_WO),
         "support": support,
     }
+    if not fields.rests_on and (X_WO := held.hanging()) is not None:
+        update["hanging"] = as_pose(X_WO)
     if fields.place is not None:
         update["open"] = np.asarray(held.q_open).tolist()
+        update["way_out"] = None if held.way_out is None else held.way_out.tolist()
     if fields.obstacles is None:
         update["obstacles"] = before.obstacles
     taken = set(before.files)
