@@ -24,21 +24,25 @@ std::vector<Rest> to_rests(const Normals& normals) {
 void bind_places(py::module_& m) {
   py::class_<Places>(m, "Places", "Places on an obstacle where a held object may be put down.")
       .def(py::init([](const Array& X_WO, const std::string& on, const Array& q_open,
-                       const Array& normal_W, const std::vector<Array>& way_out) {
+                       const Array& normal_W, const std::vector<Array>& way_out,
+                       const Array& down_O) {
              Places places{to_poses(X_WO, "X_WO"), on, to_vector3(normal_W, "normal_W"),
                            to_vector(q_open, "q_open")};
+             places.down_O = to_vector3(down_O, "down_O");
              for (const Array& q : way_out) places.way_out.push_back(to_vector(q, "way_out"));
              return places;
            }),
            py::arg("X_WO"), py::arg("on"), py::arg("q_open"),
            py::arg_v("normal_W", Array(py::cast(Eigen::Vector3d(0, 0, 1))), "(0, 0, 1)"),
            py::arg("way_out") = std::vector<Array>{},
+           py::arg_v("down_O", Array(py::cast(Eigen::Vector3d(0, 0, 0))), "(0, 0, 0)"),
            "X_WO: (N, 4, 4) poses of the object in the world, the best first. on: obstacle on "
            "which it then stands. q_open: (dof,) configuration\nwhose joints outside the arm's "
            "group open the hand [rad or m]. normal_W: (3,) unit normal of the obstacle's surface "
            "in the world.\nway_out: (N, dof) configurations along which the hand can leave the "
            "object, the first with the hand open around it; it leaves it\nalong the same way "
-           "relative to the object, with the same fingers. Without them, it goes straight.")
+           "relative to the object, with the same fingers. Without them, it goes straight. "
+           "down_O: (3,) direction in O in which the object comes down; zero: against the normal.")
       .def_property_readonly(
           "X_WO", [](const Places& self) { return from_poses(self.X_WO); },
           "(N, 4, 4) poses of the object in the world, the best first.")
@@ -49,6 +53,9 @@ void bind_places(py::module_& m) {
       .def_readonly("way_out", &Places::way_out,
                     "List of (dof,) configurations along which the hand can leave the object [rad "
                     "or m]; empty: it goes straight.")
+      .def_property_readonly(
+          "down_O", [](const Places& self) -> Eigen::Vector3d { return self.down_O; },
+          "(3,) direction in O in which the object comes down; zero: against the normal.")
       .def_property_readonly(
           "normal_W", [](const Places& self) -> Eigen::Vector3d { return self.normal_W; },
           "(3,) unit normal of the obstacle's surface in the world.")

@@ -168,7 +168,9 @@ class PlaceExamination {
 
   StraightWay way_down() const {
     Isometry3d above = place();
-    above.pretranslate(places_.normal_W * options_.height);
+    Vector3d up = places_.normal_W;
+    if (!places_.down_O.isZero()) up = -(place().linear() * places_.down_O);
+    above.pretranslate(up / up.dot(places_.normal_W) * options_.height);
     return {above, place()};
   }
 

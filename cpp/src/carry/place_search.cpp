@@ -120,9 +120,17 @@ std::string PlaceSearch::touching(const VectorXd& q) {
   return a.empty() ? "joint limits" : "'" + a + "' touches '" + b + "'";
 }
 
+/// The way from a place to where the object begins to be lowered, in W [m].
+Vector3d PlaceSearch::rise(int place) const {
+  const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
+  const Vector3d up =
+      places_.down_O.isZero() ? places_.normal_W : Vector3d(-(X_WO.linear() * places_.down_O));
+  return up * (options_.height / up.dot(places_.normal_W));
+}
+
 /// The motions at a place, from a configuration that holds the object there.
 std::optional<PlaceSearch::Putting> PlaceSearch::put_at(int place, const VectorXd& q) {
-  std::optional<Path> up = follow(q, line(q, places_.normal_W, options_.height));
+  std::optional<Path> up = follow(q, line(q, rise(place).normalized(), rise(place).norm()));
   if (!up) {
     refuse("no straight way down");
     return std::nullopt;
@@ -157,8 +165,7 @@ std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
 bool PlaceSearch::go_straight(int place, Plan& plan) {
   hold(0);
   const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
-  const StraightPath way(problem_.object.X_WB,
-                         Eigen::Translation3d(places_.normal_W * options_.height) * X_WO);
+  const StraightPath way(problem_.object.X_WB, Eigen::Translation3d(rise(place)) * X_WO);
   const int steps = std::max({1, static_cast<int>(std::ceil(way.distance() / kWaypoint)),
                               static_cast<int>(std::ceil(way.angle() / kTurnPoint))});
   std::vector<Isometry3d> poses;
@@ -170,7 +177,8 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
     if (!is_level((*transfer)[i], (*transfer)[i + 1])) return false;
   hold(options_.height);
   const VectorXd& above = transfer->back();
-  std::optional<Path> lower = follow(above, line(above, -places_.normal_W, options_.height));
+  std::optional<Path> lower =
+      follow(above, line(above, -rise(place).normalized(), rise(place).norm()));
   if (!lower) return false;
   const std::optional<Putting> putting = let_go(place, std::move(*lower));
   if (!putting) return false;

@@ -38,6 +38,7 @@ class PlaceSearch {
   };
 
   std::vector<Eigen::VectorXd> configurations(const Eigen::Isometry3d& X_WO);
+  Eigen::Vector3d rise(int place) const;
   std::optional<Putting> put_at(int place, const Eigen::VectorXd& q);
   std::optional<Putting> let_go(int place, planning::Path lower);
   bool go_straight(int place, Plan& plan);

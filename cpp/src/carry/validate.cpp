@@ -54,6 +54,13 @@ void check_places(const Problem& problem) {
   for (std::size_t i = 0; i < places.way_out.size(); ++i)
     robot::require_configuration(problem.robot, places.way_out[i],
                                  "places.way_out[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < places.X_WO.size() && !places.down_O.isZero(); ++i) {
+    const double along = (places.X_WO[i].linear() * places.down_O).dot(places.normal_W);
+    if (!(along < -0.1 * places.down_O.norm()))
+      throw std::invalid_argument("places.down_O: must lead down onto '" + places.on +
+                                  "' at places.X_WO[" + std::to_string(i) +
+                                  "], at least 6 degrees steep");
+  }
   const Eigen::Vector3d up_O = places.X_WO[0].linear().transpose() * places.normal_W;
   for (std::size_t i = 1; i < places.X_WO.size(); ++i) {
     if ((places.X_WO[i].linear() * up_O - places.normal_W).norm() < 1e-6) continue;

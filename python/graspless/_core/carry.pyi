@@ -16,10 +16,12 @@ class Places:
     """
     Places on an obstacle where a held object may be put down.
     """
-    def __init__(self, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], on: str, q_open: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], normal_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = (0, 0, 1)) -> None:
+    def __init__(self, X_WO: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], on: str, q_open: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], normal_W: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = (0, 0, 1), way_out: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = [], down_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = (0, 0, 0)) -> None:
         """
         X_WO: (N, 4, 4) poses of the object in the world, the best first. on: obstacle on which it then stands. q_open: (dof,) configuration
         whose joints outside the arm's group open the hand [rad or m]. normal_W: (3,) unit normal of the obstacle's surface in the world.
+        way_out: (N, dof) configurations along which the hand can leave the object, the first with the hand open around it; it leaves it
+        along the same way relative to the object, with the same fingers. Without them, it goes straight. down_O: (3,) direction in O in which the object comes down; zero: against the normal.
         """
     def __repr__(self) -> str:
         ...
@@ -27,6 +29,11 @@ class Places:
     def X_WO(self) -> numpy.typing.NDArray[numpy.float64]:
         """
         (N, 4, 4) poses of the object in the world, the best first.
+        """
+    @property
+    def down_O(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
+        """
+        (3,) direction in O in which the object comes down; zero: against the normal.
         """
     @property
     def normal_W(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -43,15 +50,21 @@ class Places:
         """
         (dof,) configuration whose joints outside the arm's group open the hand [rad or m].
         """
+    @property
+    def way_out(self) -> list[typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]]:
+        """
+        List of (dof,) configurations along which the hand can leave the object [rad or m]; empty: it goes straight.
+        """
 class Problem:
     """
     Task of the planner: carry a held object along a straight path to another pose, or put it down.
     """
-    def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm', places: Places | None = None) -> None:
+    def __init__(self, robot: graspless._core.robot.Robot, frame: str, object: graspless._core.collision.Obstacle, X_WO_goal: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None, q_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], rests_on: collections.abc.Mapping[str, typing.Annotated[numpy.typing.ArrayLike, numpy.float64]] = {}, arm: str = 'arm', places: Places | None = None, X_WO_hanging: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
         """
         frame: link that holds the object. object: its shapes, and its pose at the start.
         X_WO_goal: (4, 4) pose in the world at the end. q_start: (dof,) configuration at the start [rad or m]. rests_on: obstacles that
         the object rests on at the start and may be dragged over, each with its unit normal (3,) in the world. arm: group of the joints that move. places: where the object is put down; X_WO_goal is then None.
+        X_WO_hanging: (4, 4) pose of a loose object at the start, as it hangs in the hand.
         """
     def __repr__(self) -> str:
         ...
@@ -59,6 +72,11 @@ class Problem:
     def X_WO_goal(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"] | None:
         """
         (4, 4) pose of the object in the world at the end; None with places.
+        """
+    @property
+    def X_WO_hanging(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"] | None:
+        """
+        (4, 4) pose of a loose object at the start, as it hangs in the hand; else None.
         """
     @property
     def arm(self) -> str:

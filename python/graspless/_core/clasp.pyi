@@ -12,7 +12,7 @@ import graspless._named
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'certify', 'check', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
+__all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Hang', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'certify', 'check', 'find_hang', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
 class CurveNode:
     """
     A corner of a finger curve, fixed to a link.
@@ -507,6 +507,32 @@ class Pinch:
     @strength.setter
     def strength(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
+class Hang:
+    """
+    How an object hangs in a closed hand that carries it.
+    """
+    def __repr__(self) -> str:
+        ...
+    @property
+    def X_WO(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
+        """
+        (4, 4) pose in the world where it comes to rest.
+        """
+    @property
+    def drop(self) -> float:
+        """
+        Distance by which the mean of its surface is lower there [m].
+        """
+    @property
+    def holds(self) -> bool:
+        """
+        True if the hand holds it up.
+        """
+    @property
+    def swing(self) -> float:
+        """
+        Angle by which it is turned there [rad].
+        """
 class CertificateOptions:
     """
     Options of certificate().
@@ -1075,6 +1101,30 @@ def check(problem: Problem, plan: Plan, options: Options = ...) -> list[str]:
     collisions, linking by the double integral, closing until contact, and the stability test.
     
     Returns one fault per entry, with segment and row; an empty list if the plan is valid.
+    """
+def find_hang(problem: Problem, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], loop: typing.SupportsInt | typing.SupportsIndex) -> Hang:
+    """
+    Lets the object sink by its own weight, without friction, until the closed hand holds it up.
+    
+    The weight acts on the mean of the points of the object's surface. Nothing else touches the object, and no joint
+    gives way.
+    
+    Parameters
+    ----------
+    problem : Problem
+    q : (dof,) array
+        Configuration of all joints [rad or m].
+    loop : int
+        Index in problem.object.loops.found.
+    
+    Returns
+    -------
+    Hang
+    
+    Raises
+    ------
+    ValueError
+        If the problem, the loop or the configuration is invalid.
     """
 def hand_from_yaml(text: str, what: str = 'hand') -> Hand:
     """

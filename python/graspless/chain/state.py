@@ -77,9 +77,20 @@ def _held(plans: Sequence[Any]) -> Held | None:
     if plan.kind == "carry":
         if fields.place:
             return None
-        return Held(problem.arm, problem.frame, fields, q_open, out, lambda: _hangs_on(plan))
+        arm, frame, points = problem.arm, problem.frame, _points(problem.object)
+        return Held(arm, frame, fields, q_open, out, points, lambda: _hangs_on(plan))
     frame = problem.hand.frame if plan.kind == "clasp" else problem.hand.grasp_frame
-    return Held(problem.hand.arm, frame, fields, q_open, out, lambda: _hangs(plan))
+    points = problem.object.loops.surface.points if plan.kind == "clasp" else np.empty((0, 3))
+    return Held(problem.hand.arm, frame, fields, q_open, out, points, lambda: _hangs(plan))
+
+
+def _points(thing: Any) -> Matrix:
+    """[N, 3] vertices of the meshes of a held object, in O."""
+    meshes = [placed for placed in thing.shapes if hasattr(placed.shape, "vertices")]
+    found = [
+        np.asarray(mesh.shape.vertices) @ mesh.X_BG[:3, :3].T + mesh.X_BG[:3, 3] for mesh in meshes
+    ]
+    return np.concatenate(found) if found else np.empty((0, 3))
 
 
 def _way_out(grasp: Any) -> Matrix | None:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import carry
+from ..tasks.chain.start import BOTTOM, sinking
 
 if TYPE_CHECKING:
     from .wish import Wish
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 CLEAR = 0.02  # of the lowest point over the support, where it begins to be lowered [m]
 LEVEL = 0.05  # largest tilt of the hand on the way: the object hangs plumb, not with the hand [rad]
 LITTLE = 0.02  # from its place, that an object may well stand [m]
-BOTTOM = 0.02  # height of the points on which it stands [m]
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,8 @@ class Sway:
     Attributes
     ----------
     off : float
-        Largest horizontal distance by which a point of its bottom moves [m]: it may stand as far
-        from its place.
+        Largest distance of a point of its bottom from its place, seen from above, when it has come
+        down as it sinks in the hand [m]: it may stand as far off.
     sunk : float
         How much lower its lowest point is [m].
     askew : float
@@ -61,7 +61,8 @@ def sway_of(held: Any, wish: Wish) -> Sway | None:
         points @ X[:3, :3].T + X[:3, 3] for X in (problem.object.X_WB, problem.X_WO_hanging)
     )
     bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
-    off = np.linalg.norm((hangs - stands)[bottom, :2], axis=1).max()
+    way = sinking(points, problem.object.X_WB, problem.X_WO_hanging)
+    off = np.linalg.norm((hangs - stands - way)[bottom, :2], axis=1).max()
     upright = problem.object.X_WB[:3, 2] @ problem.X_WO_hanging[:3, 2]
     return Sway(
         off=float(off),

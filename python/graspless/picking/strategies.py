@@ -64,6 +64,8 @@ class Way:
         Distance of a pinch's contacts from the ends of the pads, and half of their length, if not
         those of the planner [m]. They are as low as possible then. Tried where the others were
         too high.
+    hangs : bool
+        Clasp handles where the object hangs straightest below the hand.
     """
 
     smooth: float = 0.0
@@ -72,6 +74,7 @@ class Way:
     cell: float = 0.0
     uneven: float = 0.0
     pads: float | None = None
+    hangs: bool = False
 
 
 # The next way is tried if one finds no plan that holds. Faces of small objects come out best by one
@@ -95,11 +98,16 @@ WAYS = {
 }
 
 
-def ways_of(strategy: str, wish: Wish) -> list[Way]:
-    """Returns the ways to ask for a strategy. Only what is flat on top is slid as a prism."""
+def ways_of(strategy: str, wish: Wish, puts: bool) -> list[Way]:
+    """Returns the ways to ask for a strategy; `puts` if the object is put down at the end.
+
+    Only what is flat on top is slid as a prism.
+    """
     ways = WAYS[strategy]
     if strategy == "pinch" and float(wish.thing.thickness) < LOW:
         return [*ways, replace(ways[0], pads=PAD_ENDS)]
+    if strategy == "clasp" and puts:
+        ways = [Way(hangs=True), *ways]
     if strategy != "slide":
         return ways
     far = _narrowest(np.asarray(wish.thing.outline)) / 2 - FAR
@@ -130,6 +138,8 @@ def chain_of(
         force = {} if wish.grip_force is None else {"grip_force": wish.grip_force}
         pads = {} if way.pads is None else {"depth": way.pads, "patch": way.pads, "height": 0.0}
         grasp["options"] = force | pads
+    if way.hangs:
+        grasp["clasp"] = {"pull": [0.0, 0.0, 1.0]}
     if strategy == "slide":
         overhang = {} if way.overhang is None else {"min_overhang": way.overhang}
         grasp["options"] = {"pad_spread": way.uneven, "deep_grasp": True, **overhang}

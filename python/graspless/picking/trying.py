@@ -134,10 +134,10 @@ def _plan(
     """
     began = time.monotonic()
     is_too_high = False
-    for way in ways_of(strategy, wish):
+    for way in ways_of(strategy, wish, target is not None):
         if way.pads is not None and not is_too_high:
             continue
-        document = chain_of(strategy, wish, seed, seconds, way)
+        document = chain_of(strategy, wish, seed, seconds / 2 if way.hangs else seconds, way)
         task = task_from_dict(document, strategy, resolve=True).with_changes(
             iterations=way.iterations
         )
@@ -173,7 +173,7 @@ def _grasps(
     if strategy != "clasp" or steady is None:
         yield from plans
         return
-    found = []
+    found: list[tuple[float, int, Plan]] = []
     for plan in plans:
         sway = loose.sway_of(plan.stages[-1], steady) if plan else None
         found.append((0.0 if sway is None else sway.off, len(found), plan))

@@ -20,6 +20,10 @@ struct Places {
   /// it, all joints [rad or m]: the hand leaves it along the same way relative to the object, and
   /// with the same fingers. Empty: it goes straight, and stays open.
   std::vector<Eigen::VectorXd> way_out = {};
+  /// Direction in O in which the object comes down, of any length: that in which a loose object
+  /// sinks in the hand, so that its bottom stands still from the first touch on. Zero: straight
+  /// down, against normal_W.
+  Eigen::Vector3d down_O = Eigen::Vector3d::Zero();
 };
 
 }  // namespace graspless::carry

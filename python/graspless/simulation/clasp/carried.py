@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 from ... import timing
+from ...tasks.chain.start import sinking
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
@@ -195,7 +196,8 @@ class _Carried:
             return 0.0, 0.0
         held, hanging = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_hanging)
         yaw = abs(float(np.arctan2(*(hanging @ np.linalg.inv(held))[[1, 0], 0])))
-        return float(np.linalg.norm((hanging - held)[:2, 3])), yaw
+        way = sinking(self.world.points_O, held, hanging)
+        return float(np.linalg.norm(((hanging - held)[:3, 3] - way)[:2])), yaw
 
 
 def is_touched(world: World) -> bool:

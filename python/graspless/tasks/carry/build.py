@@ -86,9 +86,9 @@ def places(task: model.CarryTask, source: Source) -> carry.Places:
         raise source.error(("open",), "missing: the joints of the open hand")
     poses = np.stack([pose_matrix(pose) for pose in given.poses])
     normal = np.array(given.normal) / np.linalg.norm(given.normal)
-    return carry.Places(
-        poses, given.on, np.array(task.open), normal, [np.array(q) for q in task.way_out or []]
-    )
+    way_out = [np.array(q) for q in task.way_out or []]
+    down = np.zeros(3) if task.down is None else np.array(task.down)
+    return carry.Places(poses, given.on, np.array(task.open), normal, way_out, down)
 
 
 def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
@@ -132,6 +132,7 @@ _PLACES: dict[str, Location] = {
     "places.on": ("place", "on"),
     "places.q_open": ("open",),
     "places.way_out": ("way_out",),
+    "places.down_O": ("down",),
     "q_start": ("robot", "home"),
     "rests_on": ("rests_on",),
 }

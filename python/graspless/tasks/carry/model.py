@@ -120,6 +120,11 @@ class CarryTask(Fields):
         description="with a place: all joints, on a way along which the hand leaves the object, "
         "from open around it; relative to the object, it leaves the same way. Default: straight",
     )
+    down: Point3 | None = Field(
+        default=None,
+        description="with a place: direction in O in which the object comes down; by default "
+        "against the normal",
+    )
     support: Support | None = Field(
         default=None, description="support of the slide before the carry"
     )

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from ..source import Location
     from .stage import Stage, StageSource
 
+LEAST_DOWN = 0.01  # [m]
+BOTTOM = 0.02  # height of the points on which an object stands [m]
 MUST_NOT = "must not be given: a stage starts where the one before it ended"
 
 
@@ -44,6 +46,8 @@ class Held:
         All joints just before the hand closed [rad or m].
     way_out : array [N, dof] or None
         Configurations along which the open hand can leave the object [rad or m]; None: straight.
+    points : array [N, 3]
+        Of the surface of an object that may hang, in O [m].
     hanging : callable
         Returns the pose X_WO [4, 4] at which a loose object hangs in the hand, or None if the hand
         holds it fast. Raises TaskError if the hand would lose it.
@@ -54,6 +58,7 @@ class Held:
     fields: Any
     q_open: Matrix
     way_out: Matrix | None
+    points: Matrix
     hanging: Callable[[], Matrix | None]
 
 
@@ -94,8 +99,8 @@ def hold_place(stage: StageSource) -> None:
 def _starts(data: dict[str, Any]) -> list[Location]:
     """Returns the fields in which a task of this kind gives its start."""
     if data["kind"] == "carry":
-        given = ("robot", "arm", "frame", "object", "pose", "hanging", "support", "open", "way_out")
-        return [(field,) for field in given]
+        held = ("robot", "arm", "frame", "object", "pose", "hanging", "support")
+        return [(field,) for field in (*held, "open", "way_out", "down")]
     if data["kind"] != "fingertip":
         return [("object", "pose"), ("robot", "home")]
     moves = ("slide", "turn", "tumble")
@@ -176,6 +181,9 @@ def _carry(fields: Any, state: State) -> Any:
     }
     if not fields.rests_on and (X_WO := held.hanging()) is not None:
         update["hanging"] = as_pose(X_WO)
+        if fields.place is not None:
+            down = state.X_WO[:3, :3].T @ sinking(held.points, state.X_WO, X_WO)
+            update["down"] = down.tolist()
     if fields.place is not None:
         update["open"] = np.asarray(held.q_open).tolist()
         update["way_out"] = None if held.way_out is None else held.way_out.tolist()
@@ -188,10 +196,24 @@ def _carry(fields: Any, state: State) -> Any:
     return fields.model_copy(update=update)
 
 
+def sinking(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> Matrix:
+    """Returns the way in W on which the bottom of a loose object goes when it begins to hang [3].
+
+    It leads down by `LEAST_DOWN` at least, and sideways no more than down.
+    """
+    stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (X_WO, X_WO_hanging))
+    bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
+    way: Matrix = (hangs - stands)[bottom].mean(axis=0)
+    down = max(LEAST_DOWN, float(stands[:, 2].min() - hangs[:, 2].min()))
+    way[:2] *= min(1.0, down / max(float(np.linalg.norm(way[:2])), 1e-12))
+    way[2] = -down
+    return way
+
+
 def as_pose(X: Matrix) -> Pose:
     """A pose as task files write it."""
     row = frames.to_row(X)
     return Pose(position=row[:3], quaternion=row[3:])
 
 
-__all__ = ["Held", "State", "as_pose", "hold_place", "start_at"]
+__all__ = ["Held", "State", "as_pose", "hold_place", "sinking", "start_at"]
