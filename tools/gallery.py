@@ -185,12 +185,14 @@ PICTURES = {
     "27_set_the_table": _scripted,
     "28_see_table": _scripted,
     "29_box_between_walls": _scripted,
+    "30_carry_luggage": _scripted,
 }
 SCRIPTS = {
     "18_shortest_loops": "python examples/18_shortest_loops.py loops.png",
     "27_set_the_table": "python examples/27_set_the_table.py table.png",
     "28_see_table": "python examples/28_see_table.py scene.png",
     "29_box_between_walls": "python examples/29_box_between_walls.py tumble.png",
+    "30_carry_luggage": "python examples/30_carry_luggage.py bag.png bag.html",
     "22_many_tasks": (
         "python examples/22_many_tasks.py tasks 8\ngraspless batch tasks -o plans --jobs 2"
     ),

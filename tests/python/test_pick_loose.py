@@ -182,9 +182,16 @@ def shorten(document):
 @pytest.mark.parametrize(
     ("mutant", "words"),
     [
-        (change(["stages", 2, "task", "hanging", "position", 2], 0.01), "hanging is not what"),
-        (change(["stages", 1, "task", "hanging", "position", 2], 0.01), "hanging is not what"),
+        (
+            change(["stages", 2, "task", "hanging", "position", 2], 0.01),
+            "hanging.position is not what",
+        ),
+        (
+            change(["stages", 1, "task", "hanging", "position", 2], 0.01),
+            "hanging.position is not what",
+        ),
         (change(["stages", 2, "task", "way_out", 0, 2], 0.01), "way_out is not what"),
+        (change(["stages", 2, "task", "down", 0], 0.01), "down is not what"),
         (change(["stages", 2, "task", "open", -1], 0.01), "open is not what"),
         (change(["stages", 1, "segments", 0, "positions", 0, 1], 1e-4), "a joint starts"),
         (shorten, "the hand is not at the end of its way out"),
@@ -221,9 +228,7 @@ def test_the_check_sees_what_the_hanging_object_touches(plan):
     for task in (document["task"]["stages"][-1], document["stages"][-1]["task"]):
         task["obstacles"].append(post)
     faults = graspless.check(plan_of(json.loads(json.dumps(document)), "plan"))
-    assert faults
-    assert all("hanging - post" in fault or "post" in fault for fault in faults)
-    assert any("hanging" in fault for fault in faults)
+    assert any("hanging" in fault and "post" in fault for fault in faults), faults
 
 
 def test_a_region(scene):
@@ -251,8 +256,7 @@ def test_a_place_out_of_the_arms_reach(scene):
     found = picked(scene, {"pose": {"x": 0.97, "y": -0.3}})
     assert not found
     assert found.attempts[0].status == "refused"
-    said = "picked up, but not put down: place: the object cannot be put down at its place"
-    assert said in found.attempts[0].reason
+    assert found.attempts[0].reason.startswith("picked up, but not put down: ")
 
 
 def test_other_strategies_without_a_hand_do_not_hide_the_reason(scene):
@@ -269,9 +273,9 @@ def test_unknown_names(scene):
 
 
 def test_what_hangs_askew_would_fall_over():
-    """A tall box 20 cm wide stands up if it is put down less than 45 degrees askew."""
-    points = np.array(list(itertools.product((-0.1, 0.1), (-0.1, 0.1), (0.0, 0.2))))
-    ring = np.array([[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])
+    """A cube of 8 cm stands up if it is put down less than 45 degrees askew."""
+    points = np.array(list(itertools.product((-0.04, 0.04), (-0.04, 0.04), (0.0, 0.08))))
+    ring = 0.04 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     thing = SimpleNamespace(points=points, outline=ring)
     wish = SimpleNamespace(thing=thing, outline=geometry.Polygon(ring))
 
@@ -296,21 +300,33 @@ def test_it_stands_there_in_the_simulation(plan):
     assert trial.measures["lifted"] > 0.02
     assert trial.measures["place_error"] < 0.015
     names = list(dict.fromkeys(trial.recording.names))
-    assert names[-5:] == ["transfer", "lower", "open", "retreat", "rest"]
+    assert names[-6:] == ["transfer", "hold", "lower", "open", "retreat", "rest"]
 
 
-def test_the_simulation_notices_a_hand_that_does_not_let_go(plan):
+def test_the_simulation_notices_another_place(plan):
+    pytest.importorskip("mujoco")
+    bad = reloaded(plan)
+    stage = bad.stages[-1]
+    away = frames.translation([0.08, 0.0, 0.0])
+    stage.segments = [
+        type(segment)(segment.name, segment.positions, [away @ X for X in segment.object_poses])
+        for segment in stage.segments
+    ]
+    assert "not_placed" in graspless.simulate(bad).trials[0].failures
+
+
+def test_the_simulation_notices_a_hand_that_opens_on_the_way(plan):
     pytest.importorskip("mujoco")
     bad = reloaded(plan)
     stage = bad.stages[-1]
     fingers = bad.stages[0].task.problem.robot.group("hand")
-    closed = np.asarray(stage.segments[1].positions[-1])
+    opened = np.asarray(stage.segments[-1].positions[-1])[fingers]
     changed = []
     for segment in stage.segments:
         positions = np.array(segment.positions)
-        positions[:, fingers] = closed[fingers]
-        if segment.name == "open":
-            positions[-1, 0] += 1e-3  # a segment that moves
+        if segment.name == "transfer":
+            t = np.linspace(0, 1, len(positions))[:, None]
+            positions[:, fingers] += t * (opened - 0.8 - positions[:, fingers])
         changed.append(type(segment)(segment.name, positions, segment.object_poses))
     stage.segments = changed
-    assert "not_placed" in graspless.simulate(bad).trials[0].failures
+    assert "dropped" in graspless.simulate(bad).trials[0].failures

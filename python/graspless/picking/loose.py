@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 CLEAR = 0.02  # of the lowest point over the support, where it begins to be lowered [m]
 LEVEL = 0.05  # largest tilt of the hand on the way: the object hangs plumb, not with the hand [rad]
 LITTLE = 0.02  # from its place, that an object may well stand [m]
+MOST = 0.04  # from its place, that it may stand: the hand would meet it on its way out [m]
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,8 @@ def refusal(sway: Sway | None, held: Any, wish: Wish) -> str:
     inside = max(0.0, float(wish.outline.depth(mean[:2])))
     most = float(np.arctan2(inside, mean[2]))
     if sway.askew < most:
-        return ""
+        far = f"{sway}; at most {1000 * MOST:.0f} mm are allowed"
+        return far if sway.off > MOST else ""
     return (
         f"it would hang {np.degrees(sway.askew):.0f} deg askew in the closed hand, and from "
         f"{np.degrees(most):.0f} deg on it falls over when it is put down"

@@ -6,15 +6,16 @@
 
 #include "carry/place_search.hpp"
 #include "carry/problems.hpp"
+#include "complaint.hpp"
 
 namespace graspless::carry {
 namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-/// The bar hangs lower and further to the right in the hand.
+/// The bar hangs lower and further along its axis in the hand.
 Problem with_loose_bar(Problem problem) {
-  problem.X_WO_hanging = moved(problem.object.X_WB, {0, -0.03, -0.04});
+  problem.X_WO_hanging = moved(problem.object.X_WB, {0.03, 0, -0.04});
   return problem;
 }
 
@@ -30,7 +31,7 @@ TEST(CarryPlace, ALooseObjectHangsOnTheWay) {
 
 TEST(CarryPlace, NothingTouchesALooseObjectAsItHangs) {
   Problem problem = over_table(wam(), {on_table(0.5, -0.2)});
-  const Vector3d beside(0.5, -0.2 - kHalf - 0.015, kTop + 0.04);  // clear of the bar that is held
+  const Vector3d beside(0.5 + 0.05 + 0.015, -0.2, kTop + 0.04);  // clear of the bar that is held
   problem.obstacles.push_back(
       box("post", {0.01, 0.01, 0.08}, moved(Isometry3d::Identity(), beside)));
   const Plan fast = plan(problem);
@@ -59,13 +60,13 @@ TEST(CarryPlace, WhatHangsTooLowCannotBeLowered) {
   EXPECT_EQ(faults_of(problem, found, higher), "");
 }
 
-/// Its hand leaves along the rows of a retreat, while its fingers open a little more.
+/// Its hand leaves along the rows of a retreat, while a finger closes a little.
 Problem with_way_out(Problem problem) {
   Plan straight = plan(problem);
   EXPECT_TRUE(straight);
   problem.places->way_out = segment(straight, "retreat").positions;
   VectorXd& last = problem.places->way_out.back();
-  last[wam().joint("left_finger_joint")] -= 0.02;
+  last[wam().joint("left_finger_joint")] += 0.02;
   return problem;
 }
 
@@ -94,6 +95,25 @@ TEST(CarryPlaceCheck, WantsTheWholeWayOut) {
   const std::string faults = faults_of(problem, shorter);
   EXPECT_NE(faults.find("the hand is not at the end of its way out"), std::string::npos) << faults;
   EXPECT_NE(faults.find("the fingers are not as at the end"), std::string::npos) << faults;
+}
+
+TEST(CarryPlace, ALooseObjectComesDownAsItSinks) {
+  Problem problem = with_loose_bar(over_table(wam(), {on_table(0.5, -0.2), on_table(0.5, -0.1)}));
+  const Vector3d sinks_W(0.03, 0, -0.04);  // at the place
+  problem.places->down_O = problem.places->X_WO[0].linear().transpose() * sinks_W;
+  Plan found = plan(problem);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(faults_of(problem, found), "");
+  EXPECT_TRUE(certify(problem, found));
+  const auto& poses = segment(found, "lower").object_poses;
+  const Vector3d way = poses.back().translation() - poses.front().translation();
+  EXPECT_LT((way - sinks_W * (Options{}.height / 0.04)).norm(), 1e-3);
+  Problem straight = problem;
+  straight.places->down_O.setZero();
+  const std::string faults = faults_of(straight, found);
+  EXPECT_NE(faults.find("off its straight path"), std::string::npos) << faults;
+  problem.places->down_O *= -1;
+  expect_refused([&] { plan(problem); }, "places.down_O: must lead down onto 'table'");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 
 from ... import timing
-from ...tasks.chain.start import sinking
+from ...tasks.chain.start import BOTTOM, sinking
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from ..variation import Variation
     from .model import World
 
-LOWER, OPEN, RETREAT, REST = "lower", "open", "retreat", "rest"
+HOLD, LOWER, OPEN, RETREAT, REST = "hold", "lower", "open", "retreat", "rest"
 FAILURES = {
     **{name: CLASP_FAILURES[name] for name in ("hit", "not_closed")},
     "dropped": "the loop left the closed hand on the way, or the object was not lifted",
@@ -140,6 +140,7 @@ class _Carried:
         count = round(LOOK / step)
         for i in range(0, len(names), count):
             if names[i] == LOWER and (i == 0 or names[i - count] != LOWER):
+                yield from self._wait()
                 self._raise_floor(stage)
             yield from execution.steps(names[i], commands[i : i + count])
             if names[i] in (OPEN, RETREAT):
@@ -149,6 +150,13 @@ class _Carried:
             if not (self.judge.linked() and self.judge.distance() <= self._reach):
                 self.failures.append("dropped")
                 return
+
+    def _wait(self, name: str = HOLD) -> Generator[str, None, None]:
+        """Holds still: until what hangs has come to rest, for instance."""
+        command = self.world.data.ctrl.copy()
+        count = round(LOOK / self.world.model.opt.timestep)
+        for _ in range(round(Slide().hold_seconds / LOOK)):
+            yield from self.execution.steps(name, np.repeat(command[None], count, axis=0))
 
     def _raise_floor(self, stage: Any) -> None:
         """Moves the floor to the height of the place."""
@@ -173,12 +181,9 @@ class _Carried:
 
     def _rest(self) -> Generator[str, None, None]:
         """Waits for the object to come to rest, and measures where it stands."""
-        still, allowed = Slide().hold_seconds, Slide().placed
+        allowed = Slide().placed
         off, askew = self._loose()
-        command = self.world.data.ctrl.copy()
-        count = round(LOOK / self.world.model.opt.timestep)
-        for _ in range(round(still / LOOK)):
-            yield from self.execution.steps(REST, np.repeat(command[None], count, axis=0))
+        yield from self._wait(REST)
         place = np.asarray(self._carries[-1].segments[-1].object_poses[-1])
         X_WO = self.world.object_pose
         cosine = (np.trace(place[:3, :3].T @ X_WO[:3, :3]) - 1) / 2
@@ -196,8 +201,11 @@ class _Carried:
             return 0.0, 0.0
         held, hanging = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_hanging)
         yaw = abs(float(np.arctan2(*(hanging @ np.linalg.inv(held))[[1, 0], 0])))
-        way = sinking(self.world.points_O, held, hanging)
-        return float(np.linalg.norm(((hanging - held)[:3, 3] - way)[:2])), yaw
+        points = self.world.points_O
+        stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (held, hanging))
+        left = hangs - stands - sinking(points, held, hanging)
+        bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
+        return float(np.linalg.norm(left[bottom, :2], axis=1).max()), yaw
 
 
 def is_touched(world: World) -> bool:

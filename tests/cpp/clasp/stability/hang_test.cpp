@@ -46,7 +46,7 @@ TEST(Hang, TheMiddleOfARingHangsBelowTheHand) {
   ASSERT_TRUE(found.holds);
   EXPECT_GE(found.drop, 0);
   const Vector3d off = found.X_WO.translation() - given.center_W();
-  EXPECT_LT(off.head<2>().norm(), 0.03);  // plumb, but for the size of the fingers
+  EXPECT_LT(off.head<2>().norm(), 0.06);  // plumb, but for the size of the hand
   EXPECT_LT(off.z(), -kRadius + 0.04);
   EXPECT_NEAR(found.drop, given.problem.X_WO.translation().z() - found.X_WO.translation().z(),
               1e-3);  // the mean of its points is its middle
