@@ -51,7 +51,7 @@ def bag() -> perception.Body:
 floor = block([6, 6, 0.02], [0.6, 0, -0.01])
 step = block([0.5, 0.4, 0.05], [0.6, 0.2, 0.025])  # a low box, on which the bag stands
 trolley = block([0.5, 0.4, 0.15], [*TROLLEY, 0.075])
-eyes = ([0.0, -0.5, 0.8], [0.1, 0.8, 0.8])
+eyes = ([0.05, -0.6, 0.9], [0.05, 0.85, 0.9])
 shots = [
     perception.render([floor, step, trolley, bag()], perception.look_at(eye, [0.6, 0.05, 0.15]))
     for eye in eyes

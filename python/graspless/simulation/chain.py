@@ -5,9 +5,9 @@
 Before a slide or a pinch, an arm may have moved the object with its fingertips: a run before that
 one.
 
-The carries replace the lift by 10 cm of a slide or a pinch alone, and the pulls at a clasp alone.
-If the last one puts the object down, the hand opens, withdraws, and the object must stand where it
-was put. A chain of a single stage is simulated as that one. Other chains are not simulated.
+The carries replace the lift by 10 cm of a slide or a pinch alone, and the pulls at a clasp. If the
+last one puts the object down, the hand opens, withdraws, and the object must stand where it was
+put. A chain of a slide or a pinch alone is simulated as that one. Other chains are not simulated.
 """
 
 from __future__ import annotations
@@ -127,18 +127,17 @@ def start(plan: Plan, variation: Variation) -> Running:
 
 
 def require_simulated(task: Any) -> None:
-    """Raises TaskError unless a chain is a slide, a pinch or a clasp, and the carries after it.
-
-    Fingertips that an arm carries may come before a slide or a pinch.
-    """
+    """Raises TaskError unless all stages of a chain are simulated; see above."""
     kinds = [stage.kind for stage in task.problem.stages]
     has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
     first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
-    is_known = first in ("slide", "pinch") or (first == "clasp" and others and not has_arm)
+    drags = any(stage.kind == "carry" and stage.fields.rests_on for stage in task.problem.stages)
+    is_lifted = first == "clasp" and others and not has_arm and not drags
+    is_known = first in ("slide", "pinch") or is_lifted
     if not is_known or set(others) - {"carry"}:
         raise TaskError(
             f"a chain of {', '.join(kinds)} is not simulated (a slide, a pinch or a clasp and the "
-            "carries after it are, the first two also after one motion by the fingertips of an "
+            "carries that lift it are, the first two also after one motion by the fingertips of an "
             "arm): plan its stages as tasks of their own, and simulate those plans"
         )
 
