@@ -45,7 +45,7 @@ FAILURES = {
 _CLOSED = ("moved_before", "moved_by_closing", "moved_by_grip", "linking", "grip")
 MEASURES = {
     **{name: CLASP_MEASURES[name] for name in _CLOSED},
-    "lifted": "least height of a point over the floor after the first carry [m]",
+    "raised": "least height of a point over the floor after the first carry [m]",
     "kept": "1 if the loop was in the closed hand until it opened, or to the end",
     "swayed": "largest distance of a point of the object from its planned place, while the hand "
     "held it [m]",
@@ -174,9 +174,9 @@ class _Carried:
 
     def _measure_lift(self, stage: Any) -> None:
         floor = self.world.data.mocap_pos[self._stand, 2]
-        self.measures["lifted"] = float(self.execution.surface()[:, 2].min() - floor)
+        self.measures["raised"] = float(self.execution.surface()[:, 2].min() - floor)
         planned = stage.segments[-1].object_poses[-1][2, 3] - self._begin[2, 3]
-        if planned > _OFF_THE_FLOOR and self.measures["lifted"] <= 0:
+        if planned > _OFF_THE_FLOOR and self.measures["raised"] <= 0:
             self.failures.append("dropped")
 
     def _rest(self) -> Generator[str, None, None]:
