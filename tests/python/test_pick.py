@@ -256,10 +256,13 @@ def test_a_spoon_is_not_pinched_above_its_handle():
 
 def test_low_objects_are_pinched_with_the_ends_of_the_pads(scene, names):
     low, high = (_wish(scene, names[name]) for name in ("card", "bar"))
-    last = ways_of("pinch", low)[-1]
+    last = ways_of("pinch", low, False)[-1]
     options = chain_of("pinch", low, 1, 2.0, last)["stages"][0]["options"]
     assert options == {"depth": 0.003, "patch": 0.003, "height": 0.0}
-    for wish, ways in ((low, ways_of("pinch", low)[:-1]), (high, ways_of("pinch", high))):
+    for wish, ways in (
+        (low, ways_of("pinch", low, False)[:-1]),
+        (high, ways_of("pinch", high, False)),
+    ):
         assert [chain_of("pinch", wish, 1, 2.0, way)["stages"][0]["options"] for way in ways] == [
             {},
             {},
