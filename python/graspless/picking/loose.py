@@ -3,8 +3,8 @@
 """Objects that hang loose in a closed hand, and how they are put down.
 
 A clasp does not hold its object still. By its weight it sinks in the hand and swings until its
-centre of mass is as low as the hand lets it be. It is put down by going straight down until its
-bottom rests, and on until the hand is around it as it was when it closed.
+centre of mass is as low as the hand lets it be. It is put down along the way on which it sinks,
+until its bottom rests, and on until the hand is around it as it was when it closed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import carry
-from ..tasks.chain.start import BOTTOM, sinking
+from ..tasks.chain.start import off_place
 
 if TYPE_CHECKING:
     from .wish import Wish
@@ -61,12 +61,9 @@ def sway_of(held: Any, wish: Wish) -> Sway | None:
     stands, hangs = (
         points @ X[:3, :3].T + X[:3, 3] for X in (problem.object.X_WB, problem.X_WO_hanging)
     )
-    bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
-    way = sinking(points, problem.object.X_WB, problem.X_WO_hanging)
-    off = np.linalg.norm((hangs - stands - way)[bottom, :2], axis=1).max()
     upright = problem.object.X_WB[:3, 2] @ problem.X_WO_hanging[:3, 2]
     return Sway(
-        off=float(off),
+        off=off_place(points, problem.object.X_WB, problem.X_WO_hanging),
         sunk=max(0.0, float(stands[:, 2].min() - hangs[:, 2].min())),
         askew=float(np.arccos(np.clip(upright, -1, 1))),
     )

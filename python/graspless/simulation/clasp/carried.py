@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 
 from ... import timing
-from ...tasks.chain.start import BOTTOM, sinking
+from ...tasks.chain.start import off_place
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
@@ -201,11 +201,7 @@ class _Carried:
             return 0.0, 0.0
         held, hanging = np.asarray(problem.object.X_WB), np.asarray(problem.X_WO_hanging)
         yaw = abs(float(np.arctan2(*(hanging @ np.linalg.inv(held))[[1, 0], 0])))
-        points = self.world.points_O
-        stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (held, hanging))
-        left = hangs - stands - sinking(points, held, hanging)
-        bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
-        return float(np.linalg.norm(left[bottom, :2], axis=1).max()), yaw
+        return off_place(self.world.points_O, held, hanging), yaw
 
 
 def is_touched(world: World) -> bool:

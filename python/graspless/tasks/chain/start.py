@@ -216,4 +216,15 @@ def as_pose(X: Matrix) -> Pose:
     return Pose(position=row[:3], quaternion=row[3:])
 
 
-__all__ = ["Held", "State", "as_pose", "hold_place", "sinking", "start_at"]
+def off_place(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> float:
+    """Returns how far from its place a point of the bottom of a loose object may stand [m].
+
+    It has come down as it sinks in the hand, and is seen from above.
+    """
+    stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (X_WO, X_WO_hanging))
+    bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
+    left = hangs - stands - sinking(points, X_WO, X_WO_hanging)
+    return float(np.linalg.norm(left[bottom, :2], axis=1).max())
+
+
+__all__ = ["Held", "State", "as_pose", "hold_place", "off_place", "sinking", "start_at"]
