@@ -4,12 +4,14 @@
 
 import json
 import time
+import warnings
 
 import numpy as np
 import pytest
 
 import graspless
-from graspless import check, frames, geometry, perception, picking
+import inspect_common as small
+from graspless import check, frames, geometry, perception, picking, robot
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.picking import trying
@@ -267,6 +269,44 @@ def test_low_objects_are_pinched_with_the_ends_of_the_pads(scene, names):
             {},
             {},
         ]
+
+
+@pytest.fixture(scope="module")
+def plates(tmp_path_factory):
+    """An arm whose fingers are flat plates."""
+    folder = tmp_path_factory.mktemp("plates")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what the URDF does not say
+        urdf = robot.Robot.from_urdf(small.gripper("plates", small.prismatic()))
+        robot.inspect(urdf).write(folder)
+    return str(folder / "plates.urdf")
+
+
+@pytest.mark.parametrize(
+    ("height", "knob", "level"),
+    [
+        (0.01, 0.01, 0.0045),  # 3 mm of the pads, 1.5 mm over the support
+        (0.016, 0.016, 0.0135),  # 1 cm, and 2 mm more over the support
+        (0.0105, 0.02, 0.0045),  # between the fingers, it is 3 mm too low for that
+    ],
+)
+def test_flat_pads_take_bars_on_a_table(plates, height, knob, level):
+    parts = [
+        ([0.12, 0.022, height], [0, 0, height / 2]),
+        ([0.02, 0.022, knob], [0.05, 0, knob / 2]),
+    ]
+    bar = perception.Body(
+        [geometry.PlacedShape(geometry.Box(size), frames.translation(at)) for size, at in parts],
+        frames.planar(0.5, 0.05, 0.4),
+    )
+    table, floor = body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02), body([6, 6, 0.02], 0.65, 0.0, -0.75)
+    eye = perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0])
+    frame = perception.render([table, floor, bar], eye)
+    looked = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    found = graspless.pick(looked, looked.objects[0].name, plates, strategies=["pinch"])
+    assert found, found.reason
+    assert found.plan.stages[0].contacts_O[0, 2] == pytest.approx(level, abs=1e-4)
+    assert check(found.plan) == []
 
 
 def _with_points(wish, points):
