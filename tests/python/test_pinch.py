@@ -3,12 +3,14 @@
 """Pinches: task file, plan file, check, timing, simulation and chains."""
 
 import copy
+import warnings
 
 import numpy as np
 import pytest
 
 import graspless
-from graspless import pinch
+import inspect_common as small
+from graspless import pinch, robot
 from graspless.errors import TaskError
 
 TASK = {
@@ -153,3 +155,29 @@ def test_it_is_drawn(plan, tmp_path):
     view.write_html(plan, str(tmp_path / "plan.html"))
     assert (tmp_path / "plan.png").stat().st_size > 20_000
     assert (tmp_path / "plan.html").stat().st_size > 20_000
+
+
+@pytest.mark.parametrize("hand", [small.revolute(), small.linkage()], ids=["revolute", "linkage"])
+def test_fingers_that_turn_keep_off_the_support_while_they_close(tmp_path, hand):
+    """Their tips are lowest when they are upright: before they touch, or a little later."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what the URDF does not say
+        robot.inspect(robot.Robot.from_urdf(small.gripper("hand", hand))).write(tmp_path)
+    solved = 0
+    for width in (0.01, 0.02, 0.03, 0.04):
+        task = {
+            "kind": "pinch",
+            "robot": {"urdf": str(tmp_path / "hand.urdf")},
+            "object": {
+                "name": "bar",
+                "thickness": 0.02,
+                "rectangle": {"size": [0.15, width]},
+                "pose": {"x": 0.45, "y": 0.05, "yaw": 0.4},
+            },
+            "support": {"rectangle": {"center": [0.65, 0], "size": [0.7, 0.7]}},
+            "options": {"depth": 0.003, "patch": 0.003, "height": 0.0},
+        }
+        found = graspless.plan(task, seed=1)
+        solved += bool(found)
+        assert not found or graspless.check(found) == []
+    assert solved >= 3

@@ -57,6 +57,12 @@ std::pair<double, double> Shapes::outermost(const Vector3d& direction_H,
           (extent(direction_H + kTurn * axis_H) - here) / kTurn};
 }
 
+double extent(const std::vector<Shapes>& all, const Vector3d& direction_H) {
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const Shapes& shapes : all) largest = std::max(largest, shapes.extent(direction_H));
+  return largest;
+}
+
 Jaw::Jaw(const slide::Problem& problem, const Options& options)
     : problem_(problem), depth_(options.depth) {
   for (const std::string& link : problem.hand.fingers) {
@@ -137,12 +143,10 @@ Eigen::VectorXd Jaw::gap_rates(double closing) const {
   return rates;
 }
 
-double Jaw::reach(const Grip& grip, const Vector3d& direction_H) const {
-  double largest = -std::numeric_limits<double>::infinity();
-  for (const Eigen::VectorXd* q : {&q_open_, &grip.q}) {
-    largest = std::max(largest, Shapes(problem_, problem_.hand.fingers, *q).extent(direction_H));
-  }
-  return largest;
+std::vector<Shapes> Jaw::fingers(const std::vector<Grip>& grips) const {
+  std::vector<Shapes> found{Shapes(problem_, problem_.hand.fingers, q_open_)};
+  for (const Grip& grip : grips) found.emplace_back(problem_, problem_.hand.fingers, grip.q);
+  return found;
 }
 
 }  // namespace graspless::pinch

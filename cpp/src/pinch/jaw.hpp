@@ -32,6 +32,9 @@ class Shapes {
   std::vector<geometry::PlacedShape> shapes_;  // in H
 };
 
+/// Largest extent of several along a direction [m].
+double extent(const std::vector<Shapes>& all, const Eigen::Vector3d& direction_H);
+
 /// The fingers at one closing, with two plane faces between them.
 struct Grip {
   double gap;                 ///< distance between the faces [m]
@@ -56,8 +59,8 @@ class Jaw {
   double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
   /// Box around each finger of the open hand, in H [m].
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
-  /// How far the fingers reach along a direction of H: open, and at a grip [m].
-  double reach(const Grip& grip, const Eigen::Vector3d& direction_H) const;
+  /// The fingers of the open hand, and at some grips.
+  std::vector<Shapes> fingers(const std::vector<Grip>& grips) const;
   /// By how much the fingers come apart per unit of each joint of the hand, when it has closed by a
   /// share from 0 to 1 [m/rad or 1]. 0 for joints of the arm.
   Eigen::VectorXd gap_rates(double closing) const;

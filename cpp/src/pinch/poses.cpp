@@ -17,7 +17,7 @@ constexpr double kTilts[] = {0, kPi / 6, -kPi / 6, kPi / 3, -kPi / 3, kPi / 2, -
 constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
 constexpr double kSameHeight = 0.008;  // [m]
 constexpr double kSpare = 0.002;  // of the fingers over `clearance`, if a prism is high enough [m]
-constexpr double kTighter = 0.001;  // than the faces are apart: fingers may close as far [m]
+constexpr double kTighter = 0.001, kLooser = 0.0035;  // than the faces are apart: closed hands [m]
 
 /// Rotation of the hand, in S: Z_H down and tilted about Y_H, Y_H along the closing direction or
 /// against it.
@@ -61,19 +61,22 @@ Poses::Poses(const Problem& problem, const Options& options, const Jaw& jaw)
 void Poses::add(const Faces& pair) {
   const std::optional<Grip> grip = jaw_.at_width(pair.width);
   if (!grip) return;
-  const Grip tighter = jaw_.at_width(pair.width - kTighter).value_or(*grip);
+  std::vector<Grip> closed{*grip};
+  for (const double width : {pair.width - kTighter, pair.width + kLooser})
+    if (const auto other = jaw_.at_width(width)) closed.push_back(*other);
+  const std::vector<Shapes> fingers = jaw_.fingers(closed);
   const Vector2d closing_S =
       (X_SO_.linear() * Vector3d(std::cos(pair.yaw), std::sin(pair.yaw), 0)).head<2>();
   for (const double tilt : kTilts) {
     for (const int roll : {0, 1})
-      add(pair, *grip, tighter, rotation(closing_S.normalized(), roll, tilt), tilt);
+      add(pair, *grip, fingers, rotation(closing_S.normalized(), roll, tilt), tilt);
   }
 }
 
-void Poses::add(Faces pair, const Grip& grip, const Grip& tighter, const Eigen::Matrix3d& R_SH,
-                double tilt) {
+void Poses::add(Faces pair, const Grip& grip, const std::vector<Shapes>& fingers,
+                const Eigen::Matrix3d& R_SH, double tilt) {
   const Vector3d down_H = -R_SH.row(2).transpose();
-  const double below = jaw_.reach(tighter, down_H) - down_H.dot(grip.contact_H),
+  const double below = extent(fingers, down_H) - down_H.dot(grip.contact_H),
                least = options_.clearance + below;
   lowest_ = std::min(lowest_, least);
   if (least > most_) return;

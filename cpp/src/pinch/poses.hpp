@@ -22,9 +22,9 @@ class Poses {
   void finish(Grasps& result);
 
  private:
-  /// Adds poses of one orientation. The fingers may close until `tighter`.
-  void add(Faces pair, const Grip& grip, const Grip& tighter, const Eigen::Matrix3d& R_SH,
-           double tilt);
+  /// Adds poses of one orientation. `fingers`: wherever they may be while they close, in H.
+  void add(Faces pair, const Grip& grip, const std::vector<Shapes>& fingers,
+           const Eigen::Matrix3d& R_SH, double tilt);
   bool is_borne(Faces& pair, double height, double below);
   double above() const { return has_walls_ ? options_.patch : options_.clearance; }
 

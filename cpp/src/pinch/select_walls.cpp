@@ -24,7 +24,7 @@ constexpr int kLevels = 10;
 double lowest_contact(const Options& options, const Jaw& jaw) {
   const std::optional<Grip> grip = jaw.at_width(jaw.opening() / 2);
   const Grip& at = grip ? *grip : jaw.open();
-  return options.clearance + jaw.reach(at, Eigen::Vector3d::UnitZ()) - at.contact_H.z();
+  return options.clearance + extent(jaw.fingers({at}), Eigen::Vector3d::UnitZ()) - at.contact_H.z();
 }
 
 /// Heights of contacts, from the top down to `least`.
