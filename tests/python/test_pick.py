@@ -15,8 +15,8 @@ from graspless import check, frames, geometry, perception, picking, robot
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.picking import trying
-from graspless.picking.measured import doubt
-from graspless.picking.strategies import chain_of, top_share, unseen_share, ways_of
+from graspless.picking.measured import doubt, top_share, unseen_share
+from graspless.picking.strategies import chain_of, ways_of
 from graspless.picking.wish import simplified, wish_of
 from graspless.tasks.scenes import outline_of
 from pick_common import body, seen

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -65,11 +64,6 @@ class Examination {
   }
   void fault(const Segment& segment, std::size_t row, const std::string& what) {
     fault(segment.name + " row " + std::to_string(row), what);
-  }
-  static std::string figure(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
   }
 
   bool has_shape() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "pinch/check_contacts.hpp"
 #include "pinch/face_measure.hpp"
@@ -51,11 +50,6 @@ class FacesExamination {
  private:
   void fault(const std::string& where, const std::string& what) {
     faults_.push_back(where + ": " + what);
-  }
-  static std::string figure(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
   }
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }
 

@@ -19,12 +19,6 @@ constexpr double kWeight = 9.81;     // of a kilogram [N]
 constexpr double kMeasured = 0.15;   // of masses, relative
 constexpr double kHangs = 0.1;       // of an object that hangs from the hand [rad]
 
-std::string figure(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
 /// The link of one side of the hand that is farthest along a direction.
 struct Foremost {
   int link = -1;
@@ -65,6 +59,12 @@ double pad_on_prism(const Problem& problem, const Plan& plan, const Options& opt
 }
 
 }  // namespace
+
+std::string figure(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
 
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,
                                    const Options& options) {

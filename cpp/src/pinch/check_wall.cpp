@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "pinch/check_contacts.hpp"
@@ -48,11 +47,6 @@ class WallExamination {
 
  private:
   void fault(const std::string& what) { faults_.push_back("wall: " + what); }
-  static std::string figure(double value) {
-    std::ostringstream out;
-    out << value;
-    return out.str();
-  }
 
   /// Why there is no wall to look at between the contacts; empty if there may be one.
   std::string why_misplaced() const {

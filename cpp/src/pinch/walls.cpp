@@ -212,7 +212,6 @@ std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& 
         wall.yaw = yaw;
         wall.lever = std::abs(away.x());
         wall.offset = std::abs(away.y());
-        wall.drop = height - com.z();
         wall.height = height;
         found.push_back(wall);
       }

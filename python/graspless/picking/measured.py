@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Plans on a prism, compared with the heights that the camera measured."""
+"""Measures of the points that the cameras saw, and plans on a prism compared with them."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from .. import geometry
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -18,6 +20,11 @@ GRIP_LOWER = 0.006  # below the top, where a hand closes: its middle is half of 
 LEAST_NEAR = 0.01  # radius in which heights are looked at, at least [m]
 LEAST_POINTS = 3
 HIGHEST = 0.9  # quantile of the heights between fingers: a wall is enough to close on
+NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
+MOST = 2000  # points that are compared
+SPACING = 0.005  # between points of the outline [m]
+HOLLOW = 0.004  # below the top of what is flat [m]
+CELL = 0.006  # between points at which the height is looked at [m]
 
 
 def doubt(plan: Any, wish: Wish) -> str:
@@ -85,3 +92,37 @@ def height_at(wish: Wish, place: Matrix, near: float, quantile: float = 0.5) -> 
     points = np.asarray(wish.thing.points)
     heights = points[np.linalg.norm(points[:, :2] - place, axis=1) < near][:, 2]
     return float(np.quantile(heights, quantile)) if len(heights) >= LEAST_POINTS else None
+
+
+def top_share(wish: Wish) -> float:
+    """Returns the part of the outline over which the object is as high as its top, from 0 to 1."""
+    cells = np.asarray(geometry.sample_grid(wish.outline, CELL))
+    points = np.asarray(wish.thing.points)
+    high = points[points[:, 2] > float(wish.thing.thickness) - HOLLOW][:, :2]
+    if not len(high) or not len(cells):
+        return 0.0
+    known = {tuple(cell) for cell in np.round(high / CELL).astype(int)}
+    around = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    at = np.round(cells / CELL).astype(int)
+    seen = [any((x + i, y + j) in known for i, j in around) for x, y in at]
+    return float(np.mean(seen))
+
+
+def unseen_share(wish: Wish) -> float:
+    """Returns the part of the object's side near which no point was seen, from 0 to 1.
+
+    The side is the outline, half way between the support and the top.
+    """
+    ring = np.asarray(wish.thing.outline)
+    pieces = []
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, int(np.ceil(np.linalg.norm(b - a) / SPACING)))
+        pieces.append(a + (b - a) * (np.arange(count)[:, None] + 0.5) / count)
+    along = np.concatenate(pieces)
+    points, height = np.asarray(wish.thing.points), float(wish.thing.thickness)
+    middle = points[(points[:, 2] > 0.2 * height) & (points[:, 2] < 0.8 * height)]
+    if not len(middle):
+        return 1.0
+    every = max(1, len(middle) // MOST)
+    away = np.linalg.norm(along[:, None] - middle[None, ::every, :2], axis=2).min(axis=1)
+    return float(np.mean(away > NEAR))

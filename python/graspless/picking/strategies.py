@@ -12,24 +12,21 @@ import numpy as np
 
 from .. import geometry
 from ..errors import TaskError
+from .measured import top_share, unseen_share
 from .wish import cloud_fields, distance_to, heights_fields, object_fields, support_fields
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from ..frames import Matrix
-    from .wish import Wish
+    from .measured import top_share, unseen_share
+from .wish import Wish
 
 STRATEGIES = ("pinch", "rim", "slide", "clasp", "tumble", "push")
 KINDS = {"rim": "pinch"}  # of the stages of strategies that are not named after theirs
 TWIST = 0.5  # of the object about the vertical while it is lifted [rad]
-NEAR = 0.012  # a point of the side is seen if a point of the cloud is as near [m]
-MOST = 2000  # points that are compared
-SPACING = 0.005  # between points of the outline [m]
-HOLLOW = 0.004  # below the top of what is flat [m]
 THIN = 0.75  # largest height of what is slid, in its widths
 FLAT = 0.9  # part of an object that is as high as its top if it is flat
-CELL = 0.006  # between points at which the height is looked at [m]
 LEAST_SECONDS = 1e-3
 
 
@@ -248,40 +245,6 @@ def explained(plan: Any, wish: Wish) -> str:
     if str(plan.status) == "no_reliable_hole":
         reason += f"; {100 * unseen_share(wish):.0f} % of its side unseen"
     return reason
-
-
-def top_share(wish: Wish) -> float:
-    """Returns the part of the outline over which the object is as high as its top, from 0 to 1."""
-    cells = np.asarray(geometry.sample_grid(wish.outline, CELL))
-    points = np.asarray(wish.thing.points)
-    high = points[points[:, 2] > float(wish.thing.thickness) - HOLLOW][:, :2]
-    if not len(high) or not len(cells):
-        return 0.0
-    known = {tuple(cell) for cell in np.round(high / CELL).astype(int)}
-    around = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-    at = np.round(cells / CELL).astype(int)
-    seen = [any((x + i, y + j) in known for i, j in around) for x, y in at]
-    return float(np.mean(seen))
-
-
-def unseen_share(wish: Wish) -> float:
-    """Returns the part of the object's side near which no point was seen, from 0 to 1.
-
-    The side is the outline, half way between the support and the top.
-    """
-    ring = np.asarray(wish.thing.outline)
-    pieces = []
-    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
-        count = max(1, int(np.ceil(np.linalg.norm(b - a) / SPACING)))
-        pieces.append(a + (b - a) * (np.arange(count)[:, None] + 0.5) / count)
-    along = np.concatenate(pieces)
-    points, height = np.asarray(wish.thing.points), float(wish.thing.thickness)
-    middle = points[(points[:, 2] > 0.2 * height) & (points[:, 2] < 0.8 * height)]
-    if not len(middle):
-        return 1.0
-    every = max(1, len(middle) // MOST)
-    away = np.linalg.norm(along[:, None] - middle[None, ::every, :2], axis=2).min(axis=1)
-    return float(np.mean(away > NEAR))
 
 
 def _narrowest(ring: Matrix) -> float:

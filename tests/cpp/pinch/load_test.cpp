@@ -71,14 +71,13 @@ TEST(PinchLoad, TheLeverOfAHammerCounts) {
   EXPECT_TRUE(!heavy || *heavy.max_mass >= problem.object.mass());
 }
 
-/// The same bar on a tilted support: its weight has a lever that nobody sees from above.
+/// The same bar on a tilted support: the weight has a lever that is not seen from above.
 TEST(PinchLoad, GravityIsThatOfTheWorld) {
   Problem level = standing(rectangle(0.12, 0.03), 0.12, 0.6, 0, 0);
   Options options;
   options.height = 0.11;
   const Plan upright = pinch::plan(level, options);
   ASSERT_TRUE(upright) << upright.reason;
-  Plan tilted = upright;
   Problem leaning = level;
   const Eigen::Isometry3d X = Eigen::Translation3d(0.6, 0, 0) *
                               Eigen::AngleAxisd(0.5, Vector3d::UnitY()) *
