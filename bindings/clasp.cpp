@@ -64,7 +64,12 @@ void bind_hand(py::module_& m) {
       Field{"sideways_H", &Hand::sideways_H, "(3,) unit vector along the handle, in H (v_swd)."},
       Field{"fingers", &Hand::fingers, "Fingers that oppose the thumb."},
       Field{"thumb", &Hand::thumb, "Finger that the others oppose."},
-      Field{"open", &Hand::open, "State of the hand's joints at the start of the search."},
+      Field{"open", &Hand::open,
+            "State of the hand's joints at the start of the search: pre-shape."},
+      Field{
+          "pre_shapes", &Hand::pre_shapes,
+          "States of further pre-shapes. The search tries them, in turn with the first, if it has "
+          "clasped nothing in 20 cycles a loop."},
       Field{"closed", &Hand::closed, "State towards which the joints close."});
   m.def("hand_from_yaml", &hand_from_yaml, py::arg("text"), py::arg("what") = "hand",
         R"(Reads a hand from YAML. docs/task-files.md has the grammar.
@@ -468,6 +473,8 @@ void bind_plan(py::module_& m) {
               "Index of the clasped loop in object.loops.found; -1 without a plan."});
   field(Field{"fingers", &Plan::fingers,
               "Names of the fingers that clasp the loop together with the thumb."});
+  field(Field{"pre_shape", &Plan::pre_shape,
+              "State of the hand's joints from which it closed; empty in old plans: hand.open."});
   field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
   field(Field{"min_linking", &Plan::min_linking,
               "Threshold of virtual linking that the plan fulfils."});

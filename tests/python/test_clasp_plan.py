@@ -103,8 +103,9 @@ def test_file_says_every_value_in_force(document):
         lambda d: d["target"]["point"].__setitem__(2, 0.0),
         lambda d: d["stability"].update(margin=0.99),
         lambda d: d["joint_names"].reverse(),
+        lambda d: d.update(pre_shape="home"),
     ],
-    ids=["row", "pose", "linking", "close", "last", "target", "margin", "names"],
+    ids=["row", "pose", "linking", "close", "last", "target", "margin", "names", "pre-shape"],
 )
 def test_check_finds_a_plan_that_was_changed(document, tmp_path, change):
     broken = json.loads(json.dumps(document))

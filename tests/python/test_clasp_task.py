@@ -154,6 +154,9 @@ HAND_FAULTS = [
     (("frame: palm", "frame: wrist"), r"frame: wrist: unknown link 'wrist'; choose from base_link"),
     (("arm: arm", "arm: leg"), r"arm: leg: unknown group 'leg'; choose from arm, hand"),
     (("open: open", "open: ajar"), r"open: ajar: unknown state"),
+    (("open: open", "open: [open, ajar]"), r"open\[1\]: ajar: unknown state 'ajar'; choose from"),
+    (("open: open", "open: [open, home, open]"), r"open\[2\]: open: .*again; each may occur only once"),
+    (("open: open", "open: []"), r"open: .*at least 1"),
     (("closed: closed", "closed: open"), r"open: .*same"),
     (("forward: [0, 0, 1]", "forward: [0, 0, 0]"), r"forward: .*must not be zero"),
     (("forward: [0, 0, 1]", "forward: [0, 1, 1]"), r"sideways: .*orthogonal"),
@@ -185,6 +188,17 @@ def test_fingers_without_a_thumb_and_a_thumb_without_fingers(write):
     fingers = text[text.index("fingers:") : text.index("thumb:")]
     write(text.replace(fingers, "fingers: {}\n"), "my.clasp.yaml")
     assert re.search(r"my.clasp.yaml:11: fingers: .*at least 1", fault(path))
+
+
+def test_a_hand_may_have_several_pre_shapes(write):
+    text = changed("open: open", "open: [open, home]", hand_text())
+    task = graspless.load_task(write(changed(*more(f"hand: {write(text, 'my.clasp.yaml').name}"))))
+    hand, in_library = task.problem.hand, clasp.hand_from_yaml(text)
+    for read in (hand, in_library):
+        assert (read.open, tuple(read.pre_shapes)) == ("open", ("home",))
+    document = task.to_dict()
+    assert document["hand"]["open"] == ["open", "home"]
+    assert tuple(task_from_dict(document, "plan.json").problem.hand.pre_shapes) == ("home",)
 
 
 def test_hand_inline_and_its_faults(write):

@@ -176,7 +176,7 @@ void remember_escape(Query& query, int loop, const Clasp& clasp) {
 }
 
 /// Tests a closed hand. Returns why the clasp is refused; empty if it is not.
-std::string test_closed(Query& query, LoopSearch& search, Clasp& clasp) {
+std::string test_closed(Query& query, ClaspSearch& search, Clasp& clasp) {
   const Eigen::VectorXd& q = clasp.close.back();
   if (!search.is_clasped(q)) return "clasp: a finger loses the loop while it closes";
   const geometry::ClaspTarget* held = search.held_target_W(q);
@@ -195,7 +195,7 @@ std::string test_closed(Query& query, LoopSearch& search, Clasp& clasp) {
 
 /// Warns of handles that are too thick for the hand, a likely reason for failure.
 void warn_of_thick_handles(const Problem& problem,
-                           const std::vector<std::unique_ptr<LoopSearch>>& searches, Plan& plan) {
+                           const std::vector<std::unique_ptr<ClaspSearch>>& searches, Plan& plan) {
   for (const auto& search : searches) {
     const int loop = search->task().loop;
     const double thickness = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
@@ -209,7 +209,7 @@ void warn_of_thick_handles(const Problem& problem,
 
 /// Closes the hand at the end of the reach, and closer if the object comes free of it and the hole
 /// is small. Returns why the clasp is refused; empty if it is not.
-std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
+std::string close_and_test(Query& query, ClaspSearch& search, Clasp& clasp) {
   close_centered(query, clasp.reach, clasp.close);
   const std::string why = test_closed(query, search, clasp);
   const bool may_squeeze =
@@ -220,7 +220,7 @@ std::string close_and_test(Query& query, LoopSearch& search, Clasp& clasp) {
 
 }  // namespace
 
-std::optional<Clasp> close_clasp(LoopSearch& search) {
+std::optional<Clasp> close_clasp(ClaspSearch& search) {
   Query& query = search.query();
   for (const bool squared : {false, true}) {
     Clasp clasp;
@@ -229,7 +229,8 @@ std::optional<Clasp> close_clasp(LoopSearch& search) {
       const geometry::ClaspTarget* held = search.held_target_W(clasp.reach.back());
       if (!held || !square_up(query, *held, clasp.reach)) break;
     }
-    const std::string why = close_and_test(query, search, clasp);
+    std::string why = close_and_test(query, search, clasp);
+    if (why.empty() && !search.connect(clasp.reach)) why = "clasp: no way found to it";
     if (why.empty()) return clasp;
     query.refuse(why);
     if (!query.may_pinch()) break;
@@ -237,7 +238,7 @@ std::optional<Clasp> close_clasp(LoopSearch& search) {
   return std::nullopt;
 }
 
-void assemble(LoopSearch& search, Clasp clasp, Plan& plan) {
+void assemble(ClaspSearch& search, Clasp clasp, Plan& plan) {
   Query& query = search.query();
   const Problem& problem = query.problem;
   const LoopTask& task = search.task();
@@ -250,6 +251,7 @@ void assemble(LoopSearch& search, Clasp clasp, Plan& plan) {
                    segment("close", clasp.close, task_space, weights)};
   plan.loop = task.loop;
   for (const Finger& finger : problem.hand.fingers) plan.fingers.push_back(finger.name);
+  plan.pre_shape = problem.hand.open;
   const Eigen::Isometry3d X_OW = problem.X_WO.inverse();
   plan.target = {X_OW * clasp.target_W.point, X_OW.linear() * clasp.target_W.tangent};
   plan.min_linking = task.options.min_linking;
@@ -273,7 +275,7 @@ void Query::add(const Query& other) {
   best_ring = other.best_ring;
 }
 
-void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,
+void conclude(const Query& query, const std::vector<std::unique_ptr<ClaspSearch>>& searches,
               Plan& plan) {
   Statistics& s = plan.statistics;
   s = query.statistics;
@@ -281,10 +283,11 @@ void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>
   s.collision_checks += query.free.num_checks();
   s.fcl_checks += query.free.num_fcl_checks();
   for (const auto& search : searches) {
-    s.cycles += search->planner().num_cycles();
-    s.nodes += search->planner().num_nodes_grown();
-    s.restarts += search->planner().num_restarts();
-    s.control_steps += search->planner().num_steps();
+    const Effort effort = search->effort();
+    s.cycles += effort.cycles;
+    s.nodes += effort.nodes;
+    s.restarts += effort.restarts;
+    s.control_steps += effort.control_steps;
   }
   if (!plan) warn_of_thick_handles(query.problem, searches, plan);
   if (plan.reason.empty()) plan.reason = reason(query, plan);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "clasp/query.hpp"
-#include "clasp/search/loop_search.hpp"
+#include "clasp/search/clasp_search.hpp"
 
 namespace graspless::clasp {
 
@@ -17,13 +17,13 @@ struct Clasp {
 
 /// Closes the fingers until contact and tests the stability. Returns nothing if the clasp is
 /// rejected, and counts the reason.
-std::optional<Clasp> close_clasp(LoopSearch& search);
+std::optional<Clasp> close_clasp(ClaspSearch& search);
 
 /// Writes a clasp into the plan: prunes the path, and adds rows, virtual linking and the tree.
-void assemble(LoopSearch& search, Clasp clasp, Plan& plan);
+void assemble(ClaspSearch& search, Clasp clasp, Plan& plan);
 
 /// Writes the statistics into the plan, and a reason if it has none yet.
-void conclude(const Query& query, const std::vector<std::unique_ptr<LoopSearch>>& searches,
+void conclude(const Query& query, const std::vector<std::unique_ptr<ClaspSearch>>& searches,
               Plan& plan);
 
 }  // namespace graspless::clasp

@@ -8,8 +8,13 @@
 
 namespace graspless::clasp {
 
-Grip::Grip(const Problem& all, const Options& options, const std::vector<std::string>& names)
+Grip::Grip(const Problem& all, const Options& options, const std::vector<std::string>& names,
+           const std::string& pre_shape)
     : problem(all), options(options) {
+  std::vector<std::string>& others = problem.hand.pre_shapes;
+  if (std::find(others.begin(), others.end(), pre_shape) != others.end())
+    problem.hand.open = pre_shape;
+  others.clear();
   if (names.empty()) return;
   std::vector<Finger>& fingers = problem.hand.fingers;
   const auto is_other = [&](const Finger& finger) {
@@ -19,9 +24,9 @@ Grip::Grip(const Problem& all, const Options& options, const std::vector<std::st
   if (fingers.size() < all.hand.fingers.size()) this->options.friction = 0;
 }
 
-std::vector<std::vector<std::string>> fewer_fingers(const Hand& hand) {
+std::vector<std::vector<std::string>> finger_runs(const Hand& hand) {
   std::vector<std::vector<std::string>> runs;
-  for (std::size_t length = hand.fingers.size() - 1; length > 0; --length) {
+  for (std::size_t length = hand.fingers.size(); length > 0; --length) {
     for (std::size_t first = 0; first + length <= hand.fingers.size(); ++first) {
       runs.emplace_back();
       for (std::size_t i = first; i < first + length; ++i)

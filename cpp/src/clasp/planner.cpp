@@ -5,7 +5,6 @@
 // loop, closes the fingers, and tests the stability. Margins name the paper's sections.
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 #include "clasp/assemble.hpp"
 #include "clasp/grip.hpp"
@@ -15,10 +14,14 @@
 #include "clasp/search/reachability.hpp"
 #include "clasp/search/targets.hpp"
 #include "clasp/stability/load.hpp"
+#include "clasp/variants.hpp"
 #include "planning/plan_within.hpp"
 
 namespace graspless::clasp {
 namespace {
+
+constexpr const char* kStaysClosed =
+    "the hand touches something while it opens at the start, and stays as it is";
 
 /// Plan for an object without a hole. Such an object may not even have a surface.
 Plan without_hole(const Problem& problem, const planning::Clock& clock) {
@@ -37,19 +40,6 @@ bool is_start_free(Query& query, Plan& plan) {
   plan.status = Status::start_in_collision;
   plan.reason = "at the start, '" + a + "' touches '" + b + "'";
   return false;
-}
-
-/// Start configuration with an open hand, or q_start itself if the hand cannot open without
-/// collision.
-Eigen::VectorXd opened(Query& query, Plan& plan) {
-  const Problem& problem = query.problem;
-  Eigen::VectorXd q = problem.q_start;
-  const Eigen::VectorXd& open = problem.robot.state(problem.hand.open);
-  for (const int joint : problem.robot.group(problem.hand.hand)) q[joint] = open[joint];
-  if (query.is_motion_free(problem.q_start, q)) return q;
-  plan.warnings.push_back(
-      "the hand touches something while it opens at the start, and stays as it is");
-  return problem.q_start;
 }
 
 /// Warns of joints of the hand whose strength is unknown.
@@ -94,7 +84,7 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
   const double before = clock.seconds();
   clock.run([&] {
     plan.certificate =
-        certificate(Grip(problem, options, plan.fingers).problem,
+        certificate(Grip(problem, options, plan.fingers, plan.pre_shape).problem,
                     plan.segments.back().positions.back(), plan.loop, options.certificate);
   });
   if (!plan.certificate)
@@ -102,38 +92,6 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
   plan.statistics.certificate_seconds = clock.seconds() - before;
   plan.statistics.seconds = clock.seconds();
 }
-
-/// Searches for clasps with fewer fingers, of loops around holes that are small for the hand. A
-/// hand that has clasped nothing in kPatience cycles a loop tries these, too.
-class FewerFingers {
- public:
-  static constexpr std::size_t kPatience = 20;
-
-  void add_to(std::vector<std::unique_ptr<LoopSearch>>& searches, Query& all,
-              const Eigen::VectorXd& q_init) {
-    Problem problem = all.problem;
-    problem.loops.clear();
-    for (const int loop : allowed_loops(all.problem)) {
-      if (is_small(problem, loop, all.width)) problem.loops.push_back(loop);
-    }
-    if (problem.loops.empty()) return;
-    for (const auto& fingers : fewer_fingers(problem.hand)) {
-      const Grip& grip = grips_.emplace_back(problem, all.options, fingers);
-      Query& query =
-          queries_.emplace_back(grip.problem, grip.options, all.clock, all.rng(), all.width);
-      Plan unused;  // for reasons why there is no target
-      for (const LoopTask& task : choose_targets(query, q_init, unused))
-        searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
-    }
-  }
-  void report_to(Query& all) const {
-    for (const Query& query : queries_) all.add(query);
-  }
-
- private:
-  std::deque<Grip> grips_;  // deques, as queries and searches keep references
-  std::deque<Query> queries_;
-};
 
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
               std::uint64_t seed) {
@@ -144,28 +102,29 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   Query query(problem, options, clock, seed, hand_width(problem));
   Plan plan;
   warn_of_missing_limits(problem, options, plan);
-  FewerFingers fewer;
-  std::vector<std::unique_ptr<LoopSearch>> searches;
-  Eigen::VectorXd q_init;
+  Variants variants;
+  std::vector<std::unique_ptr<ClaspSearch>> searches;
   if (is_start_free(query, plan)) {
-    q_init = opened(query, plan);
+    const auto open = opened(query);
+    if (!open) plan.warnings.push_back(kStaysClosed);
+    const Eigen::VectorXd& q_init = open ? *open : problem.q_start;
     for (const LoopTask& task : choose_targets(query, q_init, plan)) {  // IV-A: S and G_gamma
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
   if (!searches.empty()) problem.object.outer_clearance();  // now: a failed search has no time left
-  const std::size_t patience = FewerFingers::kPatience * searches.size();
+  const std::size_t patience = Variants::kPatience * searches.size();
   clock.run([&] {
     for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
-      if (turn == patience) fewer.add_to(searches, query, q_init);
-      LoopSearch& search = *searches[turn % searches.size()];
+      if (turn == patience) variants.add_to(searches, query);
+      ClaspSearch& search = *searches[turn % searches.size()];
       while (!plan && search.cycle()) {                        // IV-D: Algorithm 1
         std::optional<Clasp> clasp = close_clasp(search);      // IV-D: until contact occurs
         if (clasp) assemble(search, std::move(*clasp), plan);  // IV-D: path pruning
       }
     }
   });  // counters and reason stay if the time ends in the middle of a test
-  fewer.report_to(query);
+  variants.report_to(query);
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);
   return plan;

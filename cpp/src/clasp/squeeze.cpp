@@ -53,7 +53,7 @@ double closure(const Problem& problem, const VectorXd& q) {
 
 }  // namespace
 
-bool squeeze(LoopSearch& search, planning::Path& reach, planning::Path& close) {
+bool squeeze(ClaspSearch& search, planning::Path& reach, planning::Path& close) {
   Query& query = search.query();
   const Problem& problem = query.problem;
   double best = closure(problem, close.back());

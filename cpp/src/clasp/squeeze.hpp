@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "clasp/search/loop_search.hpp"
+#include "clasp/search/clasp_search.hpp"
 
 namespace graspless::clasp {
 
@@ -10,6 +10,6 @@ namespace graspless::clasp {
 /// them again, and keeps what lets them close further, until that fails often. The reach is
 /// continued to where the fingers close last. Returns false, and leaves both paths, if nothing is
 /// better.
-bool squeeze(LoopSearch& search, planning::Path& reach, planning::Path& close);
+bool squeeze(ClaspSearch& search, planning::Path& reach, planning::Path& close);
 
 }  // namespace graspless::clasp

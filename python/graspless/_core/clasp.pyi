@@ -72,7 +72,7 @@ class Hand:
     Names of links, groups and states refer to the robot. Every finger opposes the thumb:
     finger curve i runs from the tip of finger i to the palm and along the thumb to its tip.
     """
-    def __init__(self, *, arm: str = 'arm', hand: str = 'hand', frame: str = 'palm', forward_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sideways_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[Finger] = [], thumb: Finger = ..., open: str = 'open', closed: str = 'closed') -> None:
+    def __init__(self, *, arm: str = 'arm', hand: str = 'hand', frame: str = 'palm', forward_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., sideways_H: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., fingers: collections.abc.Sequence[Finger] = [], thumb: Finger = ..., open: str = 'open', pre_shapes: collections.abc.Sequence[str] = [], closed: str = 'closed') -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -129,10 +129,18 @@ class Hand:
     @property
     def open(self) -> str:
         """
-        State of the hand's joints at the start of the search.
+        State of the hand's joints at the start of the search: pre-shape.
         """
     @open.setter
     def open(self, arg0: str) -> None:
+        ...
+    @property
+    def pre_shapes(self) -> tuple[str, ...]:
+        """
+        States of further pre-shapes. The search tries them, in turn with the first, if it has clasped nothing in 20 cycles a loop.
+        """
+    @pre_shapes.setter
+    def pre_shapes(self, arg1: collections.abc.Sequence[str]) -> None:
         ...
     @property
     def sideways_H(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[3, 1]"]:
@@ -998,6 +1006,14 @@ class Plan:
         """
     @pinch.setter
     def pinch(self, arg0: Pinch | None) -> None:
+        ...
+    @property
+    def pre_shape(self) -> str:
+        """
+        State of the hand's joints from which it closed; empty in old plans: hand.open.
+        """
+    @pre_shape.setter
+    def pre_shape(self, arg0: str) -> None:
         ...
     @property
     def reason(self) -> str:

@@ -135,6 +135,9 @@ class ClaspPlanFile(PlanFields):
         description="names of the fingers that clasp the loop together with the thumb, one per "
         "curve of virtual_linking; none: all of the hand",
     )
+    pre_shape: str = Field(
+        default="", description="state from which the hand closed; empty: the hand's first"
+    )
     target: Target | None = Field(default=None, description="place on the clasped loop")
     min_linking: NotNegative = Field(description="threshold of virtual linking")
     stability: Stability | None = Field(default=None, description="result at the last row")

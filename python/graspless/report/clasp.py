@@ -24,6 +24,7 @@ def details(plan: Plan) -> dict[str, Any]:
         "loops": len(plan.task.problem.object.loops.found),
         "target": _target(plan),
         "fingers": _fingers(plan),
+        "pre_shape": plan.pre_shape or plan.task.problem.hand.open,
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
         "stability": _stability(plan),

@@ -230,6 +230,52 @@ TEST(ClaspPlan, ASmallHoleIsClaspedWithOneFinger) {
 
 TEST(ClaspPlan, AllFingersOfTheHandClaspALargeHole) {
   EXPECT_EQ(ring_plan().fingers, (std::vector<std::string>{"finger_1", "finger_2"}));
+  EXPECT_EQ(ring_plan().pre_shape, "open");
+}
+
+// The eye of a pair of scissors, 31 mm by 51 mm wide: a finger is 27 mm thick.
+TEST(ClaspPlan, AFingerGoesThroughANarrowHole) {
+  Problem problem = ring_problem();
+  Eigen::Matrix3Xd cloud = ring_cloud(0.02, 0.009, 40);
+  cloud.row(2) *= 1.5;
+  problem.object = Object::from_cloud("eye", cloud);
+  const Plan plan = clasp::plan(problem, {}, cycles(200));
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  EXPECT_EQ(plan.fingers.size(), 1u);
+  EXPECT_EQ(check(problem, plan), std::vector<std::string>{});
+  EXPECT_EQ(all_rows(clasp::plan(problem, {}, cycles(200))), all_rows(plan));
+}
+
+/// The ring before a hand whose state "fist" is nearly closed.
+Problem ring_before_a_fist() {
+  Problem problem = ring_problem();
+  robot::Robot::Options options = problem.robot.options();
+  std::string state = R"(<group_state name="fist" group="hand">)";
+  for (const int joint : problem.robot.group("hand")) {
+    const double value = 0.95 * problem.robot.state("closed")[joint];
+    state += "<joint name=\"" + problem.robot.joint_names()[static_cast<std::size_t>(joint)] +
+             "\" value=\"" + std::to_string(value) + "\"/>";
+  }
+  options.srdf.insert(options.srdf.find("</robot>"), state + "</group_state>");
+  problem.robot = robot::Robot::from_urdf(problem.robot.urdf(), options);
+  problem.hand.open = "fist";
+  return problem;
+}
+
+TEST(ClaspPlan, TakesAnotherPreShapeWhereTheFirstClaspsNothing) {
+  Problem problem = ring_before_a_fist();
+  EXPECT_FALSE(clasp::plan(problem, quick(), cycles(60)));
+  problem.hand.pre_shapes = {"open"};
+  Plan plan = clasp::plan(problem, quick(), cycles(60));
+  ASSERT_EQ(plan.status, Status::solved) << plan.reason;
+  EXPECT_EQ(plan.pre_shape, "open");
+  EXPECT_GT(plan.statistics.cycles, 20);
+  EXPECT_EQ(check(problem, plan, quick()), std::vector<std::string>{});
+  plan.pre_shape = "fist";
+  EXPECT_NE(check(problem, plan, quick()), std::vector<std::string>{});
+  plan.pre_shape = "claw";
+  EXPECT_EQ(check(problem, plan, quick()),
+            std::vector<std::string>{"plan: its pre-shape 'claw' is none of the hand's"});
 }
 
 TEST(ClaspPlan, RefusesBadOptionsByName) {

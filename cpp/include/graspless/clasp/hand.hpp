@@ -37,7 +37,10 @@ struct Hand {
   Eigen::Vector3d sideways_H = Eigen::Vector3d::UnitY();  ///< v_swd: unit vector along the handle
   std::vector<Finger> fingers;
   Finger thumb;
-  std::string open = "open";  ///< state of the hand's joints at the start of the search
+  std::string open = "open";  ///< state of the hand's joints at the start of the search: pre-shape
+  /// States of further pre-shapes. The search tries them, in turn with the first, if it has clasped
+  /// nothing in 20 cycles a loop.
+  std::vector<std::string> pre_shapes;
   /// State towards which the joints close. A joint with equal values in both states does not move.
   std::string closed = "closed";
 };

@@ -27,7 +27,7 @@ std::vector<std::pair<int, double>> closing_joints(const Problem& problem) {
 }  // namespace
 
 PlanChecker::PlanChecker(const Problem& problem, const Plan& plan, const Options& options)
-    : grip_(problem, options, plan.fingers),
+    : grip_(problem, options, plan.fingers, plan.pre_shape),
       problem_(grip_.problem),
       plan_(plan),
       options_(grip_.options),
@@ -71,6 +71,8 @@ bool PlanChecker::is_complete() {
     fault("plan", "its fingers are not fingers of the hand");
     return false;
   }
+  if (!plan_.pre_shape.empty() && plan_.pre_shape != problem_.hand.open)
+    fault("plan", "its pre-shape '", plan_.pre_shape, "' is none of the hand's");
   const auto& loops = problem_.object.loops().found;
   if (plan_.loop < 0 || plan_.loop >= static_cast<int>(loops.size()))
     fault("plan", "loop ", plan_.loop, " is not one of the object's ", loops.size());

@@ -50,15 +50,28 @@ void check_groups(const Hand& hand, const robot::Robot& robot) {
   }
 }
 
-void check_states(const Hand& hand, const robot::Robot& robot) {
-  const Eigen::VectorXd open = with_field("hand.open", [&] { return robot.state(hand.open); });
+void check_pre_shape(const std::string& field, const std::string& name, const Hand& hand,
+                     const robot::Robot& robot) {
+  const Eigen::VectorXd open = with_field(field, [&] { return robot.state(name); });
   const Eigen::VectorXd closed =
       with_field("hand.closed", [&] { return robot.state(hand.closed); });
   for (const int joint : robot.group(hand.hand)) {
     if (std::abs(closed[joint] - open[joint]) > 1e-6) return;
   }
-  throw std::invalid_argument("hand.open '" + hand.open + "' and hand.closed '" + hand.closed +
+  throw std::invalid_argument(field + " '" + name + "' and hand.closed '" + hand.closed +
                               "' are the same for every joint of '" + hand.hand + "'");
+}
+
+void check_states(const Hand& hand, const robot::Robot& robot) {
+  check_pre_shape("hand.open", hand.open, hand, robot);
+  std::set<std::string> names{hand.open};
+  for (std::size_t i = 0; i < hand.pre_shapes.size(); ++i) {
+    const std::string &name = hand.pre_shapes[i],
+                      field = "hand.pre_shapes[" + std::to_string(i) + "]";
+    if (!names.insert(name).second)
+      throw std::invalid_argument(field + " is '" + name + "' again; each may occur only once");
+    check_pre_shape(field, name, hand, robot);
+  }
 }
 
 /// The arm must move the frame H.
@@ -202,6 +215,11 @@ void validate(const Hand& hand, const robot::Robot& robot) {
     check_tip(hand, robot, field, finger);
     check_meeting(hand, robot, field, finger);
     check_curve(hand, robot, field, finger);
+    for (const std::string& pre_shape : hand.pre_shapes) {
+      Hand shaped = hand;
+      shaped.open = pre_shape;
+      check_curve(shaped, robot, field, finger);
+    }
   }
 }
 

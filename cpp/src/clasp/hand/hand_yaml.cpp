@@ -38,7 +38,7 @@ class HandReader {
     read_name(root, "arm", hand.arm);
     read_name(root, "hand", hand.hand);
     read_name(root, "frame", hand.frame);
-    read_name(root, "open", hand.open);
+    read_pre_shapes(root, hand);
     read_name(root, "closed", hand.closed);
     hand.forward_H = read_direction(root["forward"], "forward");
     hand.sideways_H = read_direction(root["sideways"], "sideways");
@@ -85,6 +85,22 @@ class HandReader {
     if (!node) return;
     if (!node.IsScalar() || node.Scalar().empty()) fail(node, field + " must be a name");
     name = node.Scalar();
+  }
+
+  /// Reads one pre-shape, or a list of them.
+  void read_pre_shapes(const YAML::Node& root, Hand& hand) const {
+    const YAML::Node node = root["open"];
+    if (!node || node.IsScalar()) return read_name(root, "open", hand.open);
+    if (!node.IsSequence() || node.size() == 0)
+      fail(node, "open must be a name, or a list of names");
+    std::vector<std::string> names(node.size());
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      if (!node[i].IsScalar() || node[i].Scalar().empty())
+        fail(node[i], "open[" + std::to_string(i) + "] must be a name");
+      names[i] = node[i].Scalar();
+    }
+    hand.open = names.front();
+    hand.pre_shapes.assign(names.begin() + 1, names.end());
   }
 
   double read_number(const YAML::Node& node, const std::string& field) const {

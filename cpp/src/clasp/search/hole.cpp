@@ -18,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kPrecision = 0.00025;  // of the radius of a ball [m]
+constexpr double kWide = 0.1;           // holes wider than this do not stop a finger [m]
 
 /// A triangle of the cone over a loop, with a bound on the distance of its points from the object.
 struct Part {
@@ -28,9 +29,10 @@ struct Part {
 
 std::string millimetres(double length) { return std::to_string(std::lround(1000 * length)); }
 
-/// Bounds on the radius of the largest ball that fits [m].
+/// Bounds on the radius of the largest ball that fits [m], and the centre of one with the lower.
 struct Radius {
   double least = 0, most = 0;
+  Vector3d center = Vector3d::Zero();
 };
 
 /// Narrows the bounds until they are close, the ball is as wide as `enough`, or `goes_on`, which is
@@ -38,11 +40,13 @@ struct Radius {
 template <class GoesOn>
 Radius largest_ball(const Object& object, int loop, double enough, const GoesOn& goes_on) {
   const collision::Clearance& clearance = object.outer_clearance();
-  double widest = 0;  // that fits [m]
+  double widest = -1;  // that fits [m]
+  Vector3d center;
   std::priority_queue<Part> parts;
   const auto add = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Vector3d middle = (a + b + c) / 3;
     const double here = clearance.distance(middle);
+    if (here > widest) center = middle;
     widest = std::max(widest, here);
     const double size = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
     parts.push({{a, b, c}, here + size});  // the distance is 1-Lipschitz
@@ -65,12 +69,11 @@ Radius largest_ball(const Object& object, int loop, double enough, const GoesOn&
       add((c + a) / 2, b, c);
     }
   }
-  return {widest, parts.top().most};
+  return {widest, parts.top().most, center};
 }
 
 /// Width of a hole in words, from a few thousand steps: it is told even if the time is over.
 std::string width_in_words(const Object& object, int loop) {
-  constexpr double kWide = 0.1;  // holes wider than this do not stop a finger [m]
   constexpr int kSteps = 3000;
   int left = kSteps;
   const Radius radius = largest_ball(object, loop, kWide, [&] { return left-- > 0; });
@@ -88,6 +91,14 @@ double hole_width(const Object& object, int loop, double enough) {
     return true;
   });
   return 2 * (2 * radius.least < enough ? radius.most : radius.least);
+}
+
+Hole widest_place(const Object& object, int loop) {
+  const Radius radius = largest_ball(object, loop, kWide, [] {
+    poll();
+    return true;
+  });
+  return {radius.center, 2 * radius.least};
 }
 
 double needed_width(const robot::Robot& robot, const Hand& hand) {

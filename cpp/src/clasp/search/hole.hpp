@@ -14,6 +14,13 @@ namespace graspless::clasp {
 /// `enough` [m].
 double hole_width(const Object& object, int loop, double enough);
 
+/// Centre of the largest ball that fits onto the cone over a loop, and its diameter.
+struct Hole {
+  Eigen::Vector3d center_O;
+  double width;  ///< [m]
+};
+Hole widest_place(const Object& object, int loop);
+
 /// Width that a hole must have [m]: the thumb, or all fingers one by one, must pass. Twice the
 /// radius of their tips; 0 if the tips have no shape.
 double needed_width(const robot::Robot& robot, const Hand& hand);

@@ -53,9 +53,7 @@ class FreeMotion : public ob::MotionValidator {
 }  // namespace
 
 LoopSearch::LoopSearch(Query& query, const LoopTask& task, const Eigen::VectorXd& q_start)
-    : query_(query),
-      task_(task),
-      task_space_(query.problem.robot, query.problem.hand, task.points_W, task.targets_W),
+    : ClaspSearch(query, task),
       controller_(task_space_, query.problem.robot, query.problem.hand, task.options),
       dof_(query.problem.robot.dof()) {
   workspace_W_.extend(project(q_start).head<3>());
@@ -119,13 +117,6 @@ void LoopSearch::make_planner() {
       [this](const Eigen::VectorXd&, const Eigen::VectorXd& x) { return is_enough(x[4]); });
 }
 
-Eigen::VectorXd LoopSearch::project(const Eigen::VectorXd& q) {
-  Eigen::VectorXd x(5);
-  x.head<4>() = task_space_.project(q);
-  x[4] = task_space_.linking_of_curves().minCoeff();
-  return x;
-}
-
 // RANDOM-TS-SAMPLE of Algorithm 1.
 void LoopSearch::draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const {
   x.resize(5);
@@ -168,38 +159,13 @@ void LoopSearch::tighten(planning::Path& path) {
   }
 }
 
-bool LoopSearch::is_linked(const Eigen::VectorXd& q) { return is_enough(project(q)[4]); }
-
-/// A derived threshold applies to the closed hand only.
-bool LoopSearch::is_enough(double linking) const {
-  return query_.options.min_linking > 0 ? linking >= task_.options.min_linking : linking > 0;
-}
-
-bool LoopSearch::is_clasped(const Eigen::VectorXd& q) {
-  return project(q)[4] >= task_.options.min_linking;
-}
-
-const geometry::ClaspTarget* LoopSearch::held_target_W(const Eigen::VectorXd& q) {
-  const Eigen::Vector3d hand_W = project(q).head<3>();
-  double longest = 0;
-  for (int i = 0; i < task_space_.kinematics().num_curves(); ++i) {
-    const Eigen::Matrix3Xd p = task_space_.kinematics().curve_points(i);
-    const Eigen::Index n = p.cols() - 1;
-    longest = std::max(longest, (p.rightCols(n) - p.leftCols(n)).colwise().norm().sum());
-  }
-  const geometry::ClaspTarget* nearest = nullptr;
-  double least = longest / 2;
-  for (const geometry::ClaspTarget& target : task_.targets_W) {
-    const double distance = (target.point - hand_W).norm();
-    if (distance >= least) continue;
-    least = distance;
-    nearest = &target;
-  }
-  return nearest;
-}
-
 const geometry::ClaspTarget& LoopSearch::reached_W() const {
   return task_.targets_W[static_cast<std::size_t>(planner_->reached_target())];
+}
+
+Effort LoopSearch::effort() const {
+  return {planner_->num_cycles(), planner_->num_nodes_grown(), planner_->num_restarts(),
+          planner_->num_steps()};
 }
 
 Tree LoopSearch::tree() const {

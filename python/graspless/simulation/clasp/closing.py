@@ -37,7 +37,7 @@ def left_open(
     model, data = world.model, world.data
     end = np.asarray(plan.segments[-1].positions[-1])
     closed = robot.clamp(robot.state(hand.closed))
-    way = np.sign(closed - robot.clamp(robot.state(hand.open)))
+    way = np.sign(closed - robot.clamp(robot.state(plan.pre_shape or hand.open)))
     steps = np.floor(way * (closed - end) * robot.step_weights / _STEP)
     steps = np.minimum(steps, round(settings.left_most / _STEP))
     left = 0

@@ -5,10 +5,10 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from ..._core import clasp
 from ..reading import read_yaml
@@ -42,6 +42,16 @@ class Node(Fields):
 Nodes = Annotated[list[Node], Field(min_length=2)]
 
 
+def _kind_of_open(value: Any) -> str:
+    return "list" if isinstance(value, list) else "name"
+
+
+PreShapes = Annotated[
+    Annotated[str, Tag("name")] | Annotated[Annotated[list[str], Field(min_length=1)], Tag("list")],
+    Discriminator(_kind_of_open),
+]
+
+
 class Hand(Fields):
     """Description of a hand: graspless.clasp.Hand."""
 
@@ -52,8 +62,10 @@ class Hand(Fields):
         description="direction in H from the palm towards the handle, of any length"
     )
     sideways: Direction = Field(description="direction in H along the handle")
-    open: str | None = Field(
-        default=None, description="state of the hand's joints at the start of the search"
+    open: PreShapes | None = Field(
+        default=None,
+        description="state of the hand's joints at the start of the search, the pre-shape; or a "
+        "list of several to try, the first at once",
     )
     closed: str | None = Field(default=None, description="state towards which each joint closes")
     fingers: Annotated[dict[str, Nodes], Field(min_length=1)] = Field(
@@ -92,9 +104,12 @@ def build_hand(
     """Returns the planner's hand. Error messages name the field at `place` of `source`."""
     names = {
         name: value
-        for name in ("arm", "hand", "open", "closed")
+        for name in ("arm", "hand", "closed")
         if (value := getattr(fields, name)) is not None
     }
+    if fields.open is not None:
+        first, *others = [fields.open] if isinstance(fields.open, str) else fields.open
+        names |= {"open": first, "pre_shapes": others}
     hand = clasp.Hand(
         frame=fields.frame,
         forward_H=_unit(fields.forward),
@@ -120,7 +135,7 @@ def hand_in_force(hand: clasp.Hand) -> Hand:
         frame=hand.frame,
         forward=_plain(hand.forward_H),
         sideways=_plain(hand.sideways_H),
-        open=hand.open,
+        open=[hand.open, *hand.pre_shapes] if hand.pre_shapes else hand.open,
         closed=hand.closed,
         fingers={finger.name: _nodes(finger) for finger in hand.fingers},
         thumb=_nodes(hand.thumb),
@@ -159,6 +174,9 @@ def _blamed(message: str, fields: Hand) -> tuple[Location, str]:
             return (*place, int(node[1]), node[2]), node[3]
         if rest != text and rest[:1] in (":", " "):
             return place, rest.lstrip(": ")
+    other = re.match(r"pre_shapes\[(\d+)\]:? (.*)", text, re.DOTALL)
+    if other is not None:
+        return ("open", int(other[1]) + 1), other[2]
     named = re.match(r"(\w+):? (.*)", text, re.DOTALL)
     if named is not None and named[1] in Hand.model_fields:
         return (named[1],), named[2]

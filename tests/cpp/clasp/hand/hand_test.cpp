@@ -57,6 +57,16 @@ TEST(HandYaml, ReadsWhatItSays) {
   EXPECT_EQ(hand.thumb.nodes[1].p_L, Eigen::Vector3d::Zero());
 }
 
+TEST(HandYaml, ReadsSeveralPreShapes) {
+  const Hand hand = hand_from_yaml(kHand + "open: [wide, hook, flat]\n");
+  EXPECT_EQ(hand.open, "wide");
+  EXPECT_EQ(hand.pre_shapes, (std::vector<std::string>{"hook", "flat"}));
+  EXPECT_TRUE(hand_from_yaml(kHand + "open: [wide]\n").pre_shapes.empty());
+  expect_refused_text(kHand + "open: []\n", "my.yaml:11: open must be a name, or a list of names");
+  expect_refused_text(kHand + "open: [wide, {}]\n", "my.yaml:11: open[1] must be a name");
+  expect_refused_text(kHand + "open: {}\n", "my.yaml:11: open must be a name, or a list of names");
+}
+
 TEST(HandYaml, HasDefaults) {
   const Hand hand = hand_from_yaml(kHand);
   EXPECT_EQ(hand.arm, "arm");
@@ -204,6 +214,17 @@ TEST_F(HandValidate, NeedsOrthogonalUnitVectors) {
   expect_invalid("hand.forward must be a unit vector");
   hand_.forward_H = Eigen::Vector3d(0, 1, 1).normalized();
   expect_invalid("must be orthogonal to hand.forward");
+}
+
+TEST_F(HandValidate, NeedsPreShapesThatCloseOnceEach) {
+  hand_.pre_shapes = {"ajar"};
+  expect_invalid("hand.pre_shapes[0]: unknown state 'ajar'; choose from");
+  hand_.pre_shapes = {"home", hand_.open};
+  expect_invalid("hand.pre_shapes[1] is 'open' again; each may occur only once");
+  hand_.pre_shapes = {hand_.closed};
+  expect_invalid("hand.pre_shapes[0] 'closed' and hand.closed 'closed' are the same");
+  hand_.pre_shapes = {"home"};
+  EXPECT_NO_THROW(validate(hand_, given_.robot));
 }
 
 TEST_F(HandValidate, NeedsAnArmThatCarriesAnotherHandThatCloses) {
