@@ -66,9 +66,11 @@ std::string most_frequent(const std::map<std::string, std::int64_t>& refusals) {
 std::string widths_of_ring(const Query& query) {
   const Certificate& ring = query.best_ring;
   if (ring.between[0].empty() || ring.gap <= 0) return "";
+  const double given = 2 * query.options.stability.penetration;  // by the links on both sides
   std::ostringstream out;
   out << "; the hand that came nearest leaves a gap of " << std::lround(1000 * ring.gap)
-      << " mm between " << ring.between[0] << " and " << ring.between[1];
+      << " mm between " << ring.between[0] << " and " << ring.between[1] << ", in the test "
+      << std::lround(1000 * (ring.gap + given)) << " mm (options.stability.penetration)";
   return out.str();
 }
 
@@ -88,8 +90,9 @@ std::string insecure(const Query& query) {
   out << query.statistics.stability_tests - opened << " of " << query.statistics.stability_tests
       << " in the stability test";
   if (opened > 0) {
-    out << ", and a sudden " << load.force << " N and " << load.torque
-        << " Nm force open the others: they withstand " << query.most_withstood
+    const double most = std::floor(100 * query.most_withstood) / 100;  // less than the load
+    out << ", and a sudden load of " << load.force << " N and " << load.torque
+        << " Nm forces open the others, which hold with two fingers: they withstand " << most
         << " N or less (effort limits of the hand: ";
     for (const int joint : robot.group(query.problem.hand.hand)) {
       out << robot.joint_names()[static_cast<std::size_t>(joint)] << ": "

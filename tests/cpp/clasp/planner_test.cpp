@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <regex>
+
 #include <gtest/gtest.h>
 
 #include "graspless/clasp/clasp.hpp"
@@ -239,11 +241,34 @@ TEST(ClaspPlan, AFingerGoesThroughANarrowHole) {
   Eigen::Matrix3Xd cloud = ring_cloud(0.02, 0.009, 40);
   cloud.row(2) *= 1.5;
   problem.object = Object::from_cloud("eye", cloud);
-  const Plan plan = clasp::plan(problem, {}, cycles(200));
+  const Plan plan = clasp::plan(problem, quick(), cycles(200));
   ASSERT_EQ(plan.status, Status::solved) << plan.reason;
   EXPECT_EQ(plan.fingers.size(), 1u);
-  EXPECT_EQ(check(problem, plan), std::vector<std::string>{});
-  EXPECT_EQ(all_rows(clasp::plan(problem, {}, cycles(200))), all_rows(plan));
+  EXPECT_EQ(check(problem, plan, quick()), std::vector<std::string>{});
+  EXPECT_EQ(all_rows(clasp::plan(problem, quick(), cycles(200))), all_rows(plan));
+}
+
+TEST(ClaspPlan, SaysWhatIsInTheWayOfASmallHole) {
+  Problem problem = ring_problem();
+  problem.object = Object::from_cloud("small ring", ring_cloud(0.045, 0.03));
+  Options options = quick();
+  options.stability.escape_distance = 0.001;  // everything has escaped
+  const std::string reason = clasp::plan(problem, options, cycles(24)).reason;
+  std::smatch gap;
+  ASSERT_TRUE(std::regex_search(
+      reason, gap, std::regex("leaves a gap of (\\d+) mm between .*, in the test (\\d+) mm")))
+      << reason;
+  EXPECT_NEAR(std::stoi(gap[2]), std::stoi(gap[1]) + 6, 1);
+  EXPECT_NE(reason.find("its hole is 56 mm wide, its handle 31 mm thick, a finger 27 mm"),
+            std::string::npos)
+      << reason;
+  options = quick();
+  options.stability.force = 1000;
+  const std::string forced = clasp::plan(problem, options, cycles(24)).reason;
+  EXPECT_NE(forced.find("a sudden load of 1e+03 N and 0.15 Nm forces open the others, which hold "
+                        "with two fingers: they withstand "),
+            std::string::npos)
+      << forced;
 }
 
 /// The ring before a hand whose state "fist" is nearly closed.

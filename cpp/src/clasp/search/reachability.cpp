@@ -129,8 +129,11 @@ std::string describe_reach(const Problem& problem) {
   out << std::fixed << std::setprecision(2) << "the arm reaches " << reached << " of "
       << poses.size() << " palm poses around the loops";
   if (far > 0) {
-    out << "; " << far << " are " << least << " to " << most << " m beyond the " << reach
-        << " m from '" << problem.hand.frame << "' to the arm's base";
+    const bool is_one = std::lround(100 * least) == std::lround(100 * most);
+    out << "; " << far << " are ";
+    if (!is_one) out << least << " to ";
+    out << most << " m beyond the " << reach << " m from '" << problem.hand.frame
+        << "' to the arm's base";
   }
   const std::size_t limited = poses.size() - reached - far;
   if (limited > 0) out << "; " << limited << " have no solution within the joint limits";
