@@ -5,13 +5,14 @@
 import itertools
 import json
 import math
+from pathlib import Path
 
 import pytest
 
 from graspless import clasp
 from graspless.cli import main
 from graspless_bench.clasp import grid as grids
-from graspless_bench.clasp import loops, measure, peers, report, run
+from graspless_bench.clasp import loops, measure, peers, report, run, small
 
 KEYS = {
     *("hand", "object", "pose", "found", "cycles", "nodes", "seconds"),
@@ -58,11 +59,31 @@ def test_the_paper_grid_is_whole():
 
 
 def test_searches_for_small_holes_are_limited_by_cycles():
-    small = next(iter(grids.small(1)))
-    budget = small.make_budget(None)
+    trial = next(iter(grids.small(1)))
+    budget = trial.make_budget(None)
     assert (budget.seconds, budget.iterations) == (math.inf, grids.CYCLES)
-    assert small.make_budget(2.0).seconds == 2.0
+    assert trial.make_budget(2.0).seconds == 2.0
     assert next(iter(grids.paper(1))).make_budget(None).iterations is None
+
+
+def test_results_of_small_holes_were_made_by_this_code():
+    """By all rows' names, and by what the quick ones of the first pose say; else they are old."""
+    path = Path(__file__).parents[2] / "docs" / "results" / "clasp_small.json"
+    result = json.loads(path.read_text())
+    trials = list(grids.small(1))
+    assert [(row["object"], row["pose"]) for row in result["rows"]] == [
+        (trial.object, trial.pose) for trial in trials
+    ]
+    quick = [(t, r) for t, r in zip(trials, result["rows"], strict=True) if r["cycles"] < 20]
+    for trial, row in [pair for pair in quick if pair[0].pose == 1]:
+        found = measure.measure(trial, None)
+        assert found.keys() == row.keys(), f"{path.name} is old: run its command again"
+        for name in ("found", "status", "cycles", "reason"):
+            assert found[name] == row[name], f"{path.name} is old: {trial.name}: {name}"
+    assert result["totals"] == small.totals(result["rows"])
+    assert result["totals"]["refused_without"] == 0
+    solved = f"Of {len(trials)} queries {result['totals']['solved']} are"
+    assert solved in path.with_name("clasp.md").read_text()
 
 
 def test_every_start_is_free():

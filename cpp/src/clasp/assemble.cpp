@@ -273,6 +273,7 @@ void Query::add(const Query& other) {
   for (const auto& [why, times] : s.refusals) statistics.refusals[why] += times;
   most_withstood = std::max(most_withstood, other.most_withstood);
   num_escaped += other.num_escaped;
+  if (other.best_pinch.load > best_pinch.load) best_pinch = other.best_pinch;
   if (other.best_margin <= best_margin) return;
   best_margin = other.best_margin;
   best_ring = other.best_ring;

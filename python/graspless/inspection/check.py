@@ -84,7 +84,9 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
             if not _is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
     links = [robot.frame(node.link) for finger in curves.values() for node in finger.nodes]
-    return [*found, *_of_open(Tree(robot), links, hand.open), *_of_home(robot, hand.open)]
+    for state in (hand.open, *hand.pre_shapes):
+        found += _of_open(Tree(robot), links, state)
+    return [*found, *_of_home(robot, hand.open)]
 
 
 def _is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
