@@ -63,7 +63,7 @@ std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
     return "the fingertip presses into a hole of the object, " + in_mm(nearest) +
            " from its nearest point";
   }
-  if (!object.has_face_at(p_OC, face_radius(query.problem.hand)))
+  if (!can_press_at(query.problem, query.options, p_OC))
     return "the fingertip presses where the object is not level";
   const double margin = rim_margin(object, query.options);
   if (inside >= margin - kAtRim) return "";

@@ -85,21 +85,39 @@ double rim_margin(const Object& object, const Options& options) {
   return std::min(options.rim_margin, object.depths().maxCoeff() / 2);
 }
 
-double face_radius(const Hand& hand) {
+double face_radius(const Hand& hand, const Options& options) {
+  constexpr double kLeast = 0.006;  // [m]
+  return std::max(kLeast, (1 - options.pad_spread) * hand.pad_width / 2);
+}
+
+namespace {
+
+/// Half of the pad, at least 1 cm [m].
+double pad_radius(const Hand& hand) {
   constexpr double kLeast = 0.01;  // [m]
   return std::max(kLeast, hand.pad_width / 2);
+}
+
+}  // namespace
+
+bool can_press_at(const Problem& problem, const Options& options, const Eigen::Vector2d& p_O) {
+  return problem.object.has_face_at(p_O, face_radius(problem.hand, options),
+                                    pad_radius(problem.hand));
 }
 
 std::vector<std::int32_t> contact_points(const Problem& problem, const Options& options) {
   const Object& object = problem.object;
   const Eigen::VectorXd& depths = object.depths();
-  const double margin = rim_margin(object, options), radius = face_radius(problem.hand);
+  const double margin = rim_margin(object, options), clear = pad_radius(problem.hand);
   std::vector<std::int32_t> kept;
   kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
-  for (Eigen::Index i = 0; i < depths.size(); ++i) {
-    if (i % kPolled == 0) poll();
-    if (depths[i] >= margin && object.has_face_at(object.points().col(i), radius))
-      kept.push_back(static_cast<std::int32_t>(i));
+  for (const double radius : {clear, face_radius(problem.hand, options)}) {
+    for (Eigen::Index i = 0; i < depths.size(); ++i) {
+      if (i % kPolled == 0) poll();
+      if (depths[i] >= margin && object.has_face_at(object.points().col(i), radius, clear))
+        kept.push_back(static_cast<std::int32_t>(i));
+    }
+    if (!kept.empty()) break;
   }
   return kept;
 }

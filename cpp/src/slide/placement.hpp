@@ -38,11 +38,15 @@ Placement placement(const Problem& problem, const Options& options, const Planar
 /// options.rim_margin, at most half of the largest that the object allows. Minus infinity for 0.
 double rim_margin(const Object& object, const Options& options);
 
-/// Radius around a contact in which a slide needs the object's top face [m].
-double face_radius(const Hand& hand);
+/// Radius around a contact in which a slide needs the object's top face, at least: half of the part
+/// of the pad that must bear, by options.pad_spread [m].
+double face_radius(const Hand& hand, const Options& options);
+
+/// True if the finger may press there: the top face is level, and nothing beside it meets the pad.
+bool can_press_at(const Problem& problem, const Options& options, const Eigen::Vector2d& p_O);
 
 /// Indices of those of P_o on which the finger may press: not within rim_margin() of the outline,
-/// and on the object's top face.
+/// and on the object's top face, under the whole pad if there are such points.
 std::vector<std::int32_t> contact_points(const Problem& problem, const Options& options);
 
 /// Centre of mass, projected along gravity onto the support, in S [m].

@@ -149,7 +149,7 @@ bool can_press(const Query& query, Plan& plan) {
   plan.status = Status::no_start_root;
   plan.reason = "object '" + object.name() +
                 "' has nothing to press on: no part of its top is level within " +
-                in_mm(face_radius(query.problem.hand)) + " of a contact";
+                in_mm(face_radius(query.problem.hand, query.options)) + " of a contact";
   return false;
 }
 

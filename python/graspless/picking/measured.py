@@ -43,7 +43,8 @@ def doubt(plan: Any, wish: Wish) -> str:
 
 def _doubt_slide(stage: Any, wish: Wish) -> str:
     hand, thing = stage.task.problem.hand, stage.task.problem.object
-    near = max(LEAST_NEAR, float(hand.pad_width) / 2)
+    bears = 1 - float(stage.task.options.pad_spread)
+    near = max(LEAST_NEAR, bears * float(hand.pad_width) / 2)
     top = float(thing.top)
     slide = next(segment for segment in stage.segments if segment.name == "slide")
     places = [

@@ -64,7 +64,36 @@ TEST(SlideHeights, APrismIsPressedOnItsTop) {
   const Object& square = objects()[0];
   EXPECT_EQ(square.top(), square.thickness());
   EXPECT_EQ(square.height_near({0.3, 0}, 0.01), square.thickness());
-  EXPECT_TRUE(square.has_face_at({0, 0}, 1));
+  EXPECT_TRUE(square.has_face_at({0, 0}, 1, 1));
+}
+
+/// A rugged disc with a level ridge of a width along x, and perhaps a higher wall beside it.
+Object ridged(double width, double wall) {
+  return round_object([&](const Vector2d& p) {
+    if (std::abs(p.y()) < width / 2) return 0.012;
+    if (p.y() > width / 2 && p.y() < width / 2 + 0.01) return wall;
+    return std::lround((p.x() + p.y()) / 0.005) % 2 == 0 ? 0.001 : 0.0065;
+  });
+}
+
+/// A pad that need not bear with all of its length presses on what is narrower, if nothing beside
+/// that is higher.
+TEST(SlideHeights, ANarrowPartIsPressedWithAPartOfThePad) {
+  Problem problem = plate_problem();
+  Options uneven;
+  uneven.pad_spread = 0.7;
+  ASSERT_GE(problem.hand.pad_width, 0.03);
+  const auto on_ridge = [&](const Object& object, const Options& options) {
+    problem.object = object;
+    int count = 0;
+    for (const auto i : contact_points(problem, options))
+      count += std::abs(object.heights()->at(object.points().col(i)) - 0.012) < 1e-9;
+    return count;
+  };
+  EXPECT_GT(on_ridge(ridged(0.01, 0.001), uneven), 0);
+  EXPECT_EQ(on_ridge(ridged(0.01, 0.001), {}), 0);
+  EXPECT_EQ(on_ridge(ridged(0.01, 0.02), uneven), 0);
+  EXPECT_GT(on_ridge(ridged(0.06, 0.001), {}), 0);
 }
 
 /// A ring with heights, whose hole is wider than the pad.
@@ -163,7 +192,7 @@ TEST(SlideHeights, ResumesWhereThePlateIsLevel) {
                                        [](const Segment& s) { return s.name == "slide"; });
   const std::size_t row = slide.positions.size() / 2;
   const Vector2d contact = contact_of(problem, found);
-  const double radius = face_radius(problem.hand);
+  const double radius = face_radius(problem.hand, {});
   int solved = 0, refused = 0;
   for (double away = 0; away < 0.055; away += 0.004) {
     for (int k = 0; k < 4; ++k) {

@@ -59,9 +59,9 @@ class GRASPLESS_API Object {
   /// Height of the face on which a finger presses [m]: the thickness of a prism. With heights, that
   /// of the level part of the top that has the most points(), or the thickness if nothing is level.
   double top() const { return face_height_; }
-  /// True if the object has heights at a point, and all that is within `radius` of it is as high as
-  /// that face, within 2.5 mm. So is a prism everywhere.
-  bool has_face_at(const Eigen::Vector2d& p_O, double radius) const;
+  /// True if the object has heights at a point, all that is within `radius` of it is as high as
+  /// that face, within 2.5 mm, and nothing within `clear` is higher. So is a prism everywhere.
+  bool has_face_at(const Eigen::Vector2d& p_O, double radius, double clear) const;
   /// Largest height within `radius` of a point [m]: the thickness of a prism.
   double height_near(const Eigen::Vector2d& p_O, double radius) const;
   bool is_thin() const;        ///< true if the thickness is at most 3/4 of the least width

@@ -140,12 +140,14 @@ double Examination::rim_margin() const {
   return std::min(options_.rim_margin, farthest / 2);
 }
 
-/// Where the object has heights, the pad presses on a part of it that is level.
+/// Where the object has heights, the part of the pad that must bear presses on a part of it that is
+/// level, and the rest meets nothing.
 void Examination::check_face(const Eigen::Vector2d& contact_O) {
-  constexpr double kLevel = 0.003, kStep = 0.001;  // [m]
+  constexpr double kLevel = 0.003, kStep = 0.001, kLeast = 0.006;  // [m]
   const auto& map = problem_.object.heights();
   if (!map) return;
-  const double top = problem_.object.top(), reach = problem_.hand.pad_width / 2;
+  const double top = problem_.object.top(), reach = problem_.hand.pad_width / 2,
+               bearing = std::max(kLeast, (1 - options_.pad_spread) * reach);
   bool is_on_face = false;
   for (const double x : {-kStep, 0.0, kStep}) {
     for (const double y : {-kStep, 0.0, kStep}) {
@@ -162,7 +164,8 @@ void Examination::check_face(const Eigen::Vector2d& contact_O) {
     poll();
     for (double y = -reach; y <= reach; y += kStep) {
       const double height = map->at(contact_O + Eigen::Vector2d(x, y));
-      if (height == 0 || std::hypot(x, y) > reach - map->cell) continue;
+      const double away = std::hypot(x, y) + map->cell;
+      if (height == 0 || away > (height < top ? bearing : std::max(reach, bearing))) continue;
       if (std::abs(height - top) <= kLevel) continue;
       fault("slide", "the object is " + figure(height) + " m high beside the contact, not " +
                          figure(top) + " m");

@@ -17,12 +17,12 @@
 namespace graspless::slide {
 namespace {
 
-constexpr Eigen::Index kPolledRows = 256;   // points between two polls
-constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
-constexpr double kLevel = 0.0025;           // of heights from that of the face [m]
-constexpr double kLevelRadius = 0.01;       // of discs that are level or not [m]
-constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
-constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
+constexpr Eigen::Index kPolledRows = 256;        // points between two polls
+constexpr double kColumnStep = 0.003;            // of the tops of columns [m]
+constexpr double kLevel = 0.0025;                // of heights from that of the face [m]
+constexpr double kLevelRadii[] = {0.01, 0.006};  // of discs that are level or not [m]
+constexpr double kMaxSlenderness = 0.75;         // thickness of a thin object, in its least widths
+constexpr double kMaxHeightSpread = 0.010;       // of a flat top, 5th to 95th percentile [m]
 
 double quantile(std::vector<double> values, double fraction) {
   const auto nth = values.begin() +
@@ -105,10 +105,13 @@ Eigen::Matrix2Xd outermost_of(const Eigen::Matrix2Xd& points) {
 /// Height at which the most of some points of a map are level; nothing if none is.
 std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::Matrix2Xd& points) {
   std::vector<double> level;
-  for (const auto& p : points.colwise()) {
-    poll();
-    const auto [least, largest] = map.range_near(p, kLevelRadius);
-    if (map.at(p) > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
+  for (const double radius : kLevelRadii) {
+    if (!level.empty()) break;
+    for (const auto& p : points.colwise()) {
+      poll();
+      const auto [least, largest] = map.range_near(p, radius);
+      if (map.at(p) > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
+    }
   }
   std::sort(level.begin(), level.end());
   std::optional<double> height;
@@ -224,10 +227,11 @@ Object Object::with_hollow(bool is_hollow) const {
   return other;
 }
 
-bool Object::has_face_at(const Eigen::Vector2d& p_O, double radius) const {
+bool Object::has_face_at(const Eigen::Vector2d& p_O, double radius, double clear) const {
   if (!heights_) return true;
   if (heights_->at(p_O) == 0) return false;  // in a hole
-  const auto [least, largest] = heights_->range_near(p_O, radius);
+  const double least = heights_->range_near(p_O, radius).first,
+               largest = heights_->range_near(p_O, std::max(radius, clear)).second;
   return std::max(face_height_ - least, largest - face_height_) <= kLevel;
 }
 
