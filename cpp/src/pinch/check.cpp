@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -25,6 +26,7 @@ constexpr double kUnevenEnd = 0.0035;  // gap left at one finger when the other 
 constexpr double kPressed = 0.001;     // depth of the fingers in the object at the end [m]
 constexpr double kSideways = 0.0025;   // of the hand from its straight line [m]
 constexpr double kTurn = 0.025;        // of the hand on it [rad]
+constexpr double kPreshaped = 5e-4;    // of joints of a hand that is not quite open [rad or m]
 const std::vector<std::string> kNames = {"approach", "grasp", "close"};
 
 /// Replays one plan and collects its faults.
@@ -107,15 +109,30 @@ class Examination {
     }
   }
 
-  /// The hand is open on the straight line, and only the hand moves while it closes.
+  /// The hand that comes to the object: open, or closed as far as options.opening asks.
+  VectorXd coming() const {
+    const VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home),
+                   closed = problem_.robot.state(problem_.hand.closed, problem_.q_home);
+    const double asked = options_.opening.value_or(std::numeric_limits<double>::infinity());
+    double less = 0, more = 1;  // closed
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (less + more) / 2;
+      (gap(open + middle * (closed - open)) >= asked ? less : more) = middle;
+    }
+    return gap(open) > asked ? VectorXd(open + less * (closed - open)) : open;
+  }
+
+  /// The hand is as open as asked on the straight line, and only the hand moves while it closes.
   void check_joints() {
     VectorXd hand = VectorXd::Ones(problem_.robot.dof());
     for (const int joint : problem_.robot.group(problem_.hand.arm)) hand[joint] = 0;
-    const VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home);
+    const VectorXd open = coming();
     const Segment &grasp = plan_.segments[1], &close = plan_.segments[2];
     for (std::size_t i = 0; i < grasp.positions.size(); ++i) {
       const VectorXd off = (grasp.positions[i] - open).cwiseProduct(hand);
-      if (off.lpNorm<Eigen::Infinity>() > kSame) fault(grasp, i, "the hand is not open");
+      if (off.lpNorm<Eigen::Infinity>() > (options_.opening ? kPreshaped : kSame))
+        fault(grasp, i, "the hand is not open");
     }
     for (std::size_t i = 0; i < close.positions.size(); ++i) {
       const VectorXd off = (close.positions[i] - grasp.positions.back())
@@ -183,12 +200,18 @@ class Examination {
     return found;
   }
 
+  /// Distance between the fingers along Y_H at q [m].
+  double gap(const VectorXd& q) const {
+    const Vector3d y = hand_at(q).linear().col(1);
+    const auto a = interval(q, y, true), b = interval(q, y, false);
+    return std::max(a.first - b.second, b.first - a.second);
+  }
+
   /// The opening at the end is the distance of the contacts, and the fingers are off the support.
   void check_closing() {
     const VectorXd& q = plan_.segments[2].positions.back();
     const Vector3d y = hand_at(q).linear().col(1), n = problem_.support.normal_W();
-    const auto a = interval(q, y, true), b = interval(q, y, false);
-    const double gap = std::max(a.first - b.second, b.first - a.second);
+    const double gap = this->gap(q);
     const double width = (contact(1) - contact(0)).norm();
     const auto& heights = problem_.object.heights();  // whose faces are staircases of cells
     const double uneven = 2 * (kPressed + (heights ? heights->cell : 0));

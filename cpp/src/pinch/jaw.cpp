@@ -80,6 +80,10 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
   side_ = own_middle > other_middle ? 1 : -1;
   open_ = closed_by(0);
   closed_ = closed_by(1);
+  widest_ = open_.gap;
+  if (!options.opening || *options.opening >= widest_) return;
+  open_ = at_width(std::max(*options.opening, closed_.gap)).value_or(closed_);
+  q_open_ = open_.q;
 }
 
 Grip Jaw::at(const Eigen::VectorXd& q) const {

@@ -44,22 +44,23 @@ struct Grip {
   Eigen::VectorXd q;          ///< all joints, the arm at home
 };
 
-/// The opening of a hand between its open and its closed state.
+/// The opening of a hand between that with which it comes to the object, and its closed state.
 class Jaw {
  public:
-  /// With contacts as far from the ends of the pads as `options` say.
+  /// With contacts as far from the ends of the pads, and open as far, as `options` say.
   explicit Jaw(const slide::Problem& problem, const Options& options = {});
 
-  double opening() const { return open_.gap; }      ///< [m]
+  double opening() const { return open_.gap; }      ///< with which the hand comes [m]
+  double widest() const { return widest_; }         ///< opening of the open hand [m]
   double least_gap() const { return closed_.gap; }  ///< of the closed hand; may be negative [m]
   const Grip& open() const { return open_; }
   /// The hand, closed until its fingers are `width` apart; nothing if it opens or closes less.
   std::optional<Grip> at_width(double width) const;
   /// Distance between the fingers at a configuration of all joints [m].
   double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
-  /// Box around each finger of the open hand, in H [m].
+  /// Box around each finger of the hand that comes to the object, in H [m].
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
-  /// The fingers of the open hand, and at some grips.
+  /// The fingers of the hand that comes to the object, and at some grips.
   std::vector<Shapes> fingers(const std::vector<Grip>& grips) const;
   /// By how much the fingers come apart per unit of each joint of the hand, when it has closed by a
   /// share from 0 to 1 [m/rad or 1]. 0 for joints of the arm.
@@ -76,6 +77,7 @@ class Jaw {
   std::vector<std::string> others_;  // links of hand.fingers besides hand.sliding_finger
   Eigen::VectorXd q_open_, q_closed_;
   double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1
+  double widest_;
   Grip open_, closed_;
 };
 

@@ -46,7 +46,7 @@ class Search {
         clock_(clock),
         rng_(seed),
         jaw_(problem, options),
-        arm_(problem),
+        arm_(problem, jaw_.open().q),
         ik_(make_ik(problem, arm_)),
         scene_(slide::make_scene(problem)),
         hand_(problem.robot, arm_, scene_, options.resolution, statistics_.ik_calls) {
@@ -55,7 +55,7 @@ class Search {
 
   Plan run() {
     Plan plan;
-    plan.opening = jaw_.opening();
+    plan.opening = jaw_.widest();
     if (const auto [a, b] = scene_.collision(problem_.q_home); !a.empty()) {
       plan.status = Status::start_in_collision;
       plan.reason = "at home, '" + a + "' touches '" + b + "'";
@@ -79,7 +79,9 @@ class Search {
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
       if (!clock_.spend()) break;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
-        std::optional<Pinch> pinch = add_motion(grasps[i], q);
+        bool is_uneven = false;
+        std::optional<Pinch> pinch = add_motion(grasps[i], q, is_uneven);
+        if (is_uneven) break;  // so it is with every configuration of the arm
         if (!pinch) continue;
         if (add_approach(*pinch, 0, plan)) return;
         unreached.push_back(std::move(*pinch));
@@ -96,7 +98,8 @@ class Search {
 
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
 
-  /// Collision-free configurations that put the open hand at a pose, the nearest to home first.
+  /// Collision-free configurations that put the hand that comes at a pose, the nearest to home
+  /// first.
   std::vector<Eigen::VectorXd> configurations(const Grasp& grasp) {
     ++statistics_.ik_calls;
     std::vector<Eigen::VectorXd> found;
@@ -114,17 +117,9 @@ class Search {
     return found;
   }
 
-  std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q) {
-    std::vector<Eigen::Isometry3d> outwards;
-    const int steps = slide::pieces(options_.approach, kGraspStep);
-    for (int i = 1; i <= steps; ++i) {
-      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, 0, -options_.approach * i / steps));
-    }
-    const auto out = hand_.track(ik_, arm_.part(q), outwards);
-    if (!out) {
-      refuse("straight approach");
-      return std::nullopt;
-    }
+  /// Closes the hand, and moves it straight to where it closes; nothing if it cannot. One finger
+  /// may touch before the other (`is_uneven`).
+  std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q, bool& is_uneven) {
     slide::HandMotion::Closing closing = hand_.close(arm_.part(q));
     const auto& [a, b] = closing.touching;
     if (!slide::is_finger_on_object(problem_.hand, a, b)) {
@@ -133,6 +128,17 @@ class Search {
     }
     if (jaw_.gap(closing.rows.back()) > grasp.faces.width + kUneven) {
       refuse("closing: one finger touches before the other");
+      is_uneven = true;
+      return std::nullopt;
+    }
+    std::vector<Eigen::Isometry3d> outwards;
+    const int steps = slide::pieces(options_.approach, kGraspStep);
+    for (int i = 1; i <= steps; ++i) {
+      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, 0, -options_.approach * i / steps));
+    }
+    const auto out = hand_.track(ik_, arm_.part(q), outwards);
+    if (!out) {
+      refuse("straight approach");
       return std::nullopt;
     }
     return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};

@@ -21,12 +21,15 @@ inline constexpr double kShiftedClearance = 5e-4;
 /// hand open.
 class GRASPLESS_API Arm {
  public:
-  explicit Arm(const Problem& problem) : joints_(problem.robot.group(problem.hand.arm)) {
+  explicit Arm(const Problem& problem)
+      : Arm(problem, problem.robot.state(problem.hand.open, problem.q_home)) {}
+  /// With the hand as in `q_open` instead of open.
+  Arm(const Problem& problem, Eigen::VectorXd q_open)
+      : joints_(problem.robot.group(problem.hand.arm)), q_open_(std::move(q_open)) {
     lower_ = part(problem.robot.lower());
     upper_ = part(problem.robot.upper());
     weights_ = part(problem.robot.step_weights());
     const Eigen::VectorXd home = part(problem.q_home);
-    q_open_ = problem.robot.state(problem.hand.open, problem.q_home);
     q_closed_ = problem.robot.state(problem.hand.closed, problem.q_home);
     write(home, q_open_);
     write(home, q_closed_);

@@ -20,7 +20,7 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
-    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, depth: typing.SupportsFloat | typing.SupportsIndex = 0.01, height: typing.SupportsFloat | typing.SupportsIndex | None = None, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
+    def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, depth: typing.SupportsFloat | typing.SupportsIndex = 0.01, height: typing.SupportsFloat | typing.SupportsIndex | None = None, opening: typing.SupportsFloat | typing.SupportsIndex | None = None, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -125,6 +125,16 @@ class Options:
         """
     @max_memory.setter
     def max_memory(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    @property
+    def opening(self) -> float | None:
+        """
+        Distance between the fingers of the hand that comes to the object: less room is needed beside a wall. By default, and at most, as far as the hand opens.
+        
+        Unit: m. Range: (0, 1].
+        """
+    @opening.setter
+    def opening(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def patch(self) -> float:

@@ -11,6 +11,7 @@
 #include "graspless/pinch/pinch.hpp"
 
 #include "pinch/grasps.hpp"
+#include "pinch/jaw.hpp"
 #include "pinch/wall_measure.hpp"
 #include "slide/problems.hpp"
 
@@ -391,6 +392,43 @@ TEST(RimPinch, IsTheSameEveryTime) {
   ASSERT_EQ(a.segments.size(), b.segments.size());
   for (std::size_t i = 0; i < a.segments.size(); ++i)
     EXPECT_EQ(a.segments[i].positions, b.segments[i].positions);
+}
+
+/// Two walls with a gap that the open fingers do not fit into.
+TEST(Walls, AHandThatIsLessOpenNeedsLessRoom) {
+  const double gap = 0.042, wall = 0.006, height = 0.09;
+  const HeightMap map = sampled(
+      [&](const Vector2d& p) {
+        const double off = std::abs(p.y()) - gap / 2;
+        return std::abs(p.x()) > 0.05 || off > wall ? 0 : off > 0 ? height : 0.01;
+      },
+      0.07);
+  const Object object =
+      Object::prism("pen box",
+                    geometry::Polygon(geometry::columns({{-0.05, -gap / 2 - wall},
+                                                         {0.05, -gap / 2 - wall},
+                                                         {0.05, gap / 2 + wall},
+                                                         {-0.05, gap / 2 + wall}})),
+                    height)
+          .with_mass(0.06)
+          .with_heights(map);
+  const Problem problem =
+      slide::make_problem(slide::tables()[0], object, slide::flat(0.6, 0.1, 0.4));
+  EXPECT_FALSE(pinch::plan(problem));
+  Options options;
+  options.opening = 0.027;
+  const Plan found = pinch::plan(problem, options);
+  ASSERT_TRUE(found) << found.reason;
+  EXPECT_EQ(all(check(problem, found, options)), "");
+  EXPECT_NEAR(found.opening, Jaw(problem).opening(), 1e-12);
+  EXPECT_NEAR(Jaw(problem).gap(found.segments[1].positions.back()), 0.027, 1e-4);
+  EXPECT_NE(all(check(problem, found)).find("the hand is not open"), std::string::npos);
+  options.opening = 0.03;
+  EXPECT_NE(all(check(problem, found, options)).find("the hand is not open"), std::string::npos);
+  options.opening = 1;  // more than it opens
+  EXPECT_FALSE(pinch::plan(problem, options));
+  options.opening = 0.001;
+  EXPECT_EQ(pinch::plan(problem, options).status, Status::too_wide);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Options {
   double patch = 0.008;
   double depth = 0.01;
   std::optional<double> height;
+  std::optional<double> opening;
   double approach = 0.08;
   int grasps = 300;
   double resolution = 0.01;
@@ -60,6 +61,11 @@ constexpr auto fields(const Options&) {
             "Height of the contacts over the support that is tried first, or the nearest to it at "
             "which the fingers fit. By default half the thickness. Those of walls are found.",
             Range::closed(0, 10)},
+      Field{
+          "opening", &Options::opening, "m",
+          "Distance between the fingers of the hand that comes to the object: less room is needed "
+          "beside a wall. By default, and at most, as far as the hand opens.",
+          Range::left_open(0, 1)},
       Field{"approach", &Options::approach, "m",
             "Length of the straight motion of the open hand onto the object.",
             Range::left_open(0, 0.5)},
