@@ -202,6 +202,17 @@ def _wish(scene, name):
     return wish_of(scene, "scene", name, "wam_t42", lift=0.1, respect="objects", mass=None)
 
 
+def _seen_shapes(shapes):
+    """The perceived scene of an object at x 0.6, y 0.05, yaw 0.4 on a table."""
+    bodies = [
+        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
+        body([6, 6, 0.02], 0.65, 0.0, -0.75),
+        perception.Body(shapes, frames.planar(0.6, 0.05, 0.4)),
+    ]
+    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
+    return graspless.perceive(frame.depth, frame.K, frame.X_WC)
+
+
 def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
     wish = _wish(scene, names["card"])
     plan = graspless.pick(scene, names["card"], "wam_t42").plan
@@ -226,6 +237,23 @@ def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
         assert unseen == f"nobody saw the top {what.split(',')[0]}"
 
 
+def test_the_centre_of_mass_is_that_of_what_was_seen():
+    """A thin bar with a thick end."""
+    sizes = [([0.16, 0.03, 0.006], [0, 0, 0.003]), ([0.04, 0.04, 0.03], [0.1, 0, 0.015])]
+    shapes = [geometry.PlacedShape(geometry.Box(s), frames.translation(p)) for s, p in sizes]
+    found = _seen_shapes(shapes)
+    wish = _wish(found, found.objects[0].name)
+    volumes = [np.prod(s) for s, _ in sizes]
+    com = np.average([p for _, p in sizes], axis=0, weights=volumes)
+    true = frames.transform(np.linalg.inv(wish.thing.X_WO) @ frames.planar(0.6, 0.05, 0.4), [com])
+    assert np.linalg.norm(np.subtract(wish.com, true[0])) < 0.012  # of its shadow
+    assert np.linalg.norm(wish.outline.centroid - true[0, :2]) > 0.02
+    for strategy in ("pinch", "rim", "slide"):
+        for way in ways_of(strategy, wish, False):
+            stage = chain_of(strategy, wish, 1, 1.0, way)["stages"][0]
+            assert stage["object"]["com"] == wish.com
+
+
 def test_a_pinch_needs_something_between_its_fingers(scene, names):
     wish = _wish(scene, names["bar"])
     plan = graspless.pick(scene, names["bar"], "wam_t42").plan
@@ -241,15 +269,9 @@ def test_a_pinch_needs_something_between_its_fingers(scene, names):
 def test_a_spoon_is_not_pinched_above_its_handle():
     shapes = [
         geometry.PlacedShape(geometry.Box(size), frames.translation(place))
-        for size, place in (([0.14, 0.02, 0.005], [0, 0, 0.0025]), ([0.03, 0.03, 0.022], [0.08, 0, 0.011]))
+        for size, place in (([0.14, 0.02, 0.005], [0, 0, 0.0025]), ([0.06, 0.06, 0.022], [0.08, 0, 0.011]))
     ]  # fmt: skip
-    bodies = [
-        body([0.7, 0.7, 0.04], 0.65, 0.0, -0.02),
-        body([6, 6, 0.02], 0.65, 0.0, -0.75),
-        perception.Body(shapes, frames.planar(0.6, 0.05, 0.4)),
-    ]
-    frame = perception.render(bodies, perception.look_at([-0.05, 0.0, 0.75], [0.65, 0.0, 0.0]))
-    looked = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    looked = _seen_shapes(shapes)
     found = graspless.pick(looked, looked.objects[0].name, "wam_t42", strategies=["pinch"])
     assert not found
     assert found.attempts[0].status == "refused"
@@ -265,10 +287,13 @@ def test_low_objects_are_pinched_with_the_ends_of_the_pads(scene, names):
         (low, ways_of("pinch", low, False)[:-1]),
         (high, ways_of("pinch", high, False)),
     ):
-        assert [chain_of("pinch", wish, 1, 2.0, way)["stages"][0]["options"] for way in ways] == [
-            {},
-            {},
-        ]
+        options = [chain_of("pinch", wish, 1, 2.0, way)["stages"][0]["options"] for way in ways]
+        assert options == [{}] * len(ways)
+    options = [
+        chain_of("pinch", high, 1, 2.0, way, 0.054)["stages"][0]["options"].get("opening")
+        for way in ways_of("pinch", high, False)
+    ]
+    assert options == [None, None, 0.027, 0.0135]
 
 
 @pytest.fixture(scope="module")

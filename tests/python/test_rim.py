@@ -96,6 +96,17 @@ def test_a_vessel_is_held_by_its_wall(shapes, place):
     assert simulation, simulation.trials[0].failures
 
 
+def test_a_hand_that_is_half_open_reaches_into_a_narrow_vessel():
+    vessel = box_cup(side=0.066, height=0.07)
+    picked = rim(seen(vessel, eyes=(EYE, (1.35, 0.0, 0.75))), mass=0.06)
+    assert picked, picked.reason
+    assert graspless.check(picked.plan) == []
+    first = picked.plan.stages[0]
+    assert first.task.options.opening == pytest.approx(first.opening / 2)
+    simulation = graspless.simulate(picked.plan)
+    assert simulation, simulation.trials[0].failures
+
+
 def test_a_wall_is_seen_from_both_sides_before_it_is_grasped():
     """A square vessel before the camera shows the inside or the outside of each wall."""
     one = rim(seen(box_cup(), yaw=0.1), mass=0.06)
@@ -301,7 +312,7 @@ def test_a_tray_is_slid_with_the_finger_in_it():
 def test_a_slide_needs_a_level_part():
     task = chain_of("slide", wish(seen(box_cup(height=0.03))), 1, 5.0)
     stage = {k: v for k, v in task["stages"][0].items() if k != "name"} | {"robot": task["robot"]}
-    rows = [[0.0022 * i] * 14 for i in range(14)]
+    rows = [[0.01 + 0.01 * ((i + j) % 2) for j in range(14)] for i in range(14)]
     stage["object"]["heights"] = {"corner": [-0.07, -0.07], "cell": 0.01, "rows": rows}
     plan = graspless.plan(stage)
     assert plan.status == slide.Status.no_start_root

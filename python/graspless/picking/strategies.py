@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from ..frames import Matrix
-    from .measured import top_share, unseen_share
-from .wish import Wish
+    from .wish import Wish
 
 STRATEGIES = ("pinch", "rim", "slide", "clasp", "tumble", "push")
 KINDS = {"rim": "pinch"}  # of the stages of strategies that are not named after theirs
@@ -61,6 +60,9 @@ class Way:
         Distance of a pinch's contacts from the ends of the pads, and half of their length, if not
         those of the planner [m]. They are as low as possible then. Tried where the others were
         too high.
+    opening : float or None
+        Opening with which a hand comes to a pinch, as a part of that of the open hand. Tried where
+        the open hand had no room.
     hangs : bool
         Clasp handles where the object hangs straightest below the hand.
     """
@@ -71,6 +73,7 @@ class Way:
     cell: float = 0.0
     uneven: float = 0.0
     pads: float | None = None
+    opening: float | None = None
     hangs: bool = False
 
 
@@ -81,11 +84,12 @@ FAR = 0.025  # largest distance of the middle of the narrowest width from the ed
 NEAR_EDGE = 0.035  # least overhang after that [m]
 UNEVEN = 0.7  # part of the pad that does not bear: objects are not as flat as their outlines say
 SMOOTH = 0.0015
+LESS = (0.5, 0.25)  # of the opening of the hand
 FINE, COARSE = 0.0025, 0.005  # pixels are about 2 mm apart; boxes of coarse heights are fewer [m]
 LOW, PAD_ENDS = 0.03, 0.003  # what is so low is pinched with the ends of the pads, too [m]
 WAYS = {
-    "pinch": [Way(SMOOTH), Way()],
-    "rim": [Way(cell=FINE)],
+    "pinch": [Way(SMOOTH), Way(), *(Way(SMOOTH, opening=part) for part in LESS)],
+    "rim": [Way(cell=FINE), *(Way(cell=FINE, opening=part) for part in LESS)],
     "slide": [
         Way(SMOOTH, NEAR_EDGE, 800, uneven=UNEVEN),
         Way(SMOOTH, NEAR_EDGE, 800),
@@ -102,7 +106,9 @@ def ways_of(strategy: str, wish: Wish, puts: bool) -> list[Way]:
     """
     ways = WAYS[strategy]
     if strategy == "pinch" and float(wish.thing.thickness) < LOW:
-        return [*ways, replace(ways[0], pads=PAD_ENDS)]
+        ways = [*ways, replace(ways[0], pads=PAD_ENDS)]
+    if strategy == "rim":
+        ways = [*ways, replace(ways[0], pads=PAD_ENDS)]
     if strategy == "clasp" and puts:
         ways = [Way(hangs=True), *ways]
     if strategy != "slide":
@@ -115,9 +121,17 @@ def ways_of(strategy: str, wish: Wish, puts: bool) -> list[Way]:
 
 
 def chain_of(
-    strategy: str, wish: Wish, seed: int, seconds: float, way: Way | None = None
+    strategy: str,
+    wish: Wish,
+    seed: int,
+    seconds: float,
+    way: Way | None = None,
+    opening: float | None = None,
 ) -> dict[str, Any]:
-    """Returns the task of a strategy: grasp the object, and lift it."""
+    """Returns the task of a strategy: grasp the object, and lift it.
+
+    `opening` is that of the hand, which ways that open it less need [m].
+    """
     way = way or WAYS[strategy][-1]
     lift = {
         "name": "lift",
@@ -134,7 +148,8 @@ def chain_of(
     if kind == "pinch":
         force = {} if wish.grip_force is None else {"grip_force": wish.grip_force}
         pads = {} if way.pads is None else {"depth": way.pads, "patch": way.pads, "height": 0.0}
-        grasp["options"] = force | pads
+        less = {} if way.opening is None or opening is None else {"opening": way.opening * opening}
+        grasp["options"] = force | pads | less
     if way.hangs:
         grasp["clasp"] = {"pull": [0.0, 0.0, 1.0]}
     if strategy == "slide":

@@ -130,14 +130,20 @@ def _plan(
 ) -> tuple[Plan, str, list[str]]:
     """Plans a strategy in its ways, until a plan fits the measured heights and passes its check.
 
-    Returns the last plan, what speaks against it, and its faults.
+    Returns a plan, what speaks against it, and its faults: without a plan that holds, those of the
+    last way before the object was in the way of the hand.
     """
     began = time.monotonic()
-    is_too_high = False
+    kept: tuple[Plan, str, list[str]] | None = None
+    is_too_high = has_no_room = False
+    opening: float | None = None
     for way in ways_of(strategy, wish, target is not None):
-        if way.pads is not None and not is_too_high:
+        if way.pads is not None and not (is_too_high or has_no_room):
             continue
-        document = chain_of(strategy, wish, seed, seconds / 2 if way.hangs else seconds, way)
+        if way.opening is not None and not has_no_room:
+            continue
+        limit = seconds / 2 if way.hangs else seconds
+        document = chain_of(strategy, wish, seed, limit, way, opening)
         task = task_from_dict(document, strategy, resolve=True).with_changes(
             iterations=way.iterations
         )
@@ -151,12 +157,29 @@ def _plan(
                 break
         if plan and not doubted:
             faults = check(plan)
-            if not faults:
-                break
+        holds = plan and not doubted and not faults
+        if holds or not has_no_room:
+            kept = plan, doubted, faults
+        if holds:
+            break
+        first: Any = plan.stages[0] if plan.stages else None
+        if first is not None and first.kind == "pinch" and first.opening > 0:
+            opening = float(first.opening)  # 0 if the time was over at once
         is_too_high = is_too_high or bool(doubted) or str(plan.status) == "too_flat"
+        has_no_room = has_no_room or _is_crowded(plan)
         if time.monotonic() - began >= seconds:
             break
-    return plan, doubted, faults
+    assert kept is not None  # there is a first way
+    return kept
+
+
+def _is_crowded(plan: Plan) -> bool:
+    """Returns True if the object was in the way of the hand that should pinch it."""
+    first: Any = plan.stages[0] if plan.stages else None
+    if plan or first is None or first.kind != "pinch":
+        return False
+    in_the_way = any(why.endswith("with object") for why in first.statistics.refusals)
+    return str(first.status) == "no_room" or in_the_way
 
 
 def _grasps(

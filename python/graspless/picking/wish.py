@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ..perception import Object, Support
 
 
+COM_CELL = 0.005  # of the heights by which the centre of mass is found [m]
 CLOCKS = 1.0  # difference of the clocks of camera and planner that is allowed [s]
 
 
@@ -93,6 +94,18 @@ class Wish:
         fields = source.validate(RobotOnly).robot
         return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
+    @cached_property
+    def com(self) -> list[float]:
+        """Centre of mass in O, if the object is solid below what the cameras saw of it [m]."""
+        seen = _seen(self, COM_CELL)
+        heights = np.asarray(seen.heights)
+        cells = np.indices(heights.shape) + 0.5
+        middle = np.asarray(seen.corner) + COM_CELL * np.average(
+            cells.reshape(2, -1), axis=1, weights=heights.ravel()
+        )
+        height = float((heights**2).sum() / heights.sum()) / 2
+        return [round(float(value), 4) for value in (*middle, height)]
+
     @property
     def real_edges(self) -> list[int]:
         """Indices of the edges of the support beyond which there is nothing."""
@@ -147,15 +160,14 @@ def object_fields(wish: Wish, smooth: float = 0.0) -> dict[str, Any]:
         "polygon": rows_of(simplified(outline, smooth) if smooth > 0 else outline),
         "thickness": float(wish.thing.thickness),
         "pose": place,
+        "com": wish.com,
         **({} if wish.mass is None else {"mass": wish.mass}),
     }
 
 
 def heights_fields(wish: Wish, cell: float) -> dict[str, Any]:
     """Returns the heights of an object as the cameras measured them, in cells of a side [m]."""
-    thing = wish.thing
-    top = float(thing.thickness)
-    seen = geometry.seen_heights(thing.points, thing.rays, wish.outline, top, cell)
+    seen, top = _seen(wish, cell), float(wish.thing.thickness)
     rows, undersides = (
         np.round(np.asarray(values), 4).clip(max=top).tolist()
         for values in (seen.heights, seen.undersides)
@@ -166,6 +178,13 @@ def heights_fields(wish: Wish, cell: float) -> dict[str, Any]:
         "rows": rows,
         "undersides": undersides,
     }
+
+
+def _seen(wish: Wish, cell: float) -> geometry.HeightMap:
+    """Returns the heights of an object as the cameras measured them."""
+    thing = wish.thing
+    top = float(thing.thickness)
+    return geometry.seen_heights(thing.points, thing.rays, wish.outline, top, cell)
 
 
 def support_fields(wish: Wish, edges: list[int] | None) -> dict[str, Any]:
