@@ -473,8 +473,10 @@ void bind_plan(py::module_& m) {
               "Index of the clasped loop in object.loops.found; -1 without a plan."});
   field(Field{"fingers", &Plan::fingers,
               "Names of the fingers that clasp the loop together with the thumb."});
-  field(Field{"pre_shape", &Plan::pre_shape,
-              "State of the hand's joints from which it closed; empty in old plans: hand.open."});
+  field(Field{
+      "pre_shape", &Plan::pre_shape,
+      "Pre-shape with which the search began, a state of the hand's joints; empty in old plans: "
+      "hand.open. The hand may be partly closed when it arrives."});
   field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
   field(Field{"min_linking", &Plan::min_linking,
               "Threshold of virtual linking that the plan fulfils."});

@@ -67,15 +67,17 @@ def test_searches_for_small_holes_are_limited_by_cycles():
 
 
 def test_results_of_small_holes_were_made_by_this_code():
-    """By all rows' names, and by what the quick ones of the first pose say; else they are old."""
+    """All rows have the trials' names; those of the first pose that take few cycles say the same."""
     path = Path(__file__).parents[2] / "docs" / "results" / "clasp_small.json"
     result = json.loads(path.read_text())
     trials = list(grids.small(1))
     assert [(row["object"], row["pose"]) for row in result["rows"]] == [
         (trial.object, trial.pose) for trial in trials
     ]
-    quick = [(t, r) for t, r in zip(trials, result["rows"], strict=True) if r["cycles"] < 20]
-    for trial, row in [pair for pair in quick if pair[0].pose == 1]:
+    quick = [(t, r) for t, r in zip(trials, result["rows"], strict=True) if r["cycles"] < 50]
+    quick = [(trial, row) for trial, row in quick if trial.pose == 1]
+    assert any(row["found"] and row["cycles"] > 20 for _, row in quick)  # others than the first
+    for trial, row in quick:
         found = measure.measure(trial, None)
         assert found.keys() == row.keys(), f"{path.name} is old: run its command again"
         for name in ("found", "status", "cycles", "reason"):

@@ -163,3 +163,26 @@ def test_refusals(task, capsys, change, message):
 def test_friction_is_an_option(task, capsys):
     assert main(["plan", task(options={"friction": -1}), "-o", "plan.json"]) == 2
     assert "options.friction" in capsys.readouterr().err
+
+
+def test_another_pre_shape_clasps_what_is_too_thick_for_the_first(task, tmp_path):
+    arm = "".join(f'<joint name="joint_{k}"/>' for k in range(6))
+    home = arm.replace("/>", ' value="0"/>')
+    states = "".join(
+        f'<group_state name="{name}" group="hand"><joint name="slide_left" value="{value}"/>'
+        "</group_state>"
+        for name, value in (("open", 0.03), ("ajar", 0.005), ("closed", 0.0))
+    )
+    (tmp_path / "mine.srdf").write_text(
+        f'<robot name="gripper"><group name="arm">{arm}</group>'
+        f'<group name="hand"><joint name="slide_left"/></group>{states}'
+        f'<group_state name="home" group="arm">{home}</group_state></robot>'
+    )
+    robot = {"urdf": "mine.urdf", "srdf": "mine.srdf"}
+    alone = graspless.plan(task(robot=robot, hand=HAND | {"open": "ajar"}))
+    assert str(alone.status) == "too_thick"
+    assert "the hand opens 10 mm" in alone.reason
+    both = graspless.plan(task(robot=robot, hand=HAND | {"open": ["ajar", "open"]}))
+    assert both, both.reason
+    assert both.pre_shape == "open"
+    assert graspless.check(both) == []

@@ -15,7 +15,7 @@ from scipy.spatial import Delaunay, cKDTree
 
 import graspless
 from clasp_common import PURSE, changed
-from graspless import clasp, geometry
+from graspless import _data, clasp, geometry
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, held_locked, run, surface
 from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
@@ -50,6 +50,46 @@ def test_a_plan_holds_and_its_open_hand_does_not(trial):
     assert trial.measures["held"] == trial.measures["sequences"] == SHORT.sequences
     assert trial.measures["open_held"] < SHORT.sequences
     assert trial.measures["pull"] > SHORT.pull_needed
+
+
+def test_a_plan_of_one_finger_is_judged_by_that_finger(tmp_path):
+    rng = np.random.default_rng(0)
+    around, tube = rng.uniform(0, 2 * np.pi, (2, 2500))
+    across = 0.0255 + 0.009 * np.cos(tube)
+    eye = [across * np.cos(around), 1.5 * across * np.sin(around), 0.009 * np.sin(tube)]
+    np.savetxt(tmp_path / "eye.xyz", np.transpose(eye))
+    text = changed("sample: purse", "cloud: eye.xyz")
+    text = changed("[0.62, 0.05, 0], rpy: [0,", "[0.62, 0.05, 0.25], rpy: [1.5708,", text)
+    text = changed("seconds: 20, seed: 3", "iterations: 200, seed: 1", text)
+    (tmp_path / "eye.yaml").write_text(text)
+    plan = graspless.plan(tmp_path / "eye.yaml")
+    assert plan, plan.reason
+    assert len(plan.fingers) == 1
+    trial = run(plan, Variation(), settings=SHORT)
+    assert trial.failures == ()
+    assert trial.measures["linking"] > 0.5
+
+
+def test_the_hand_opens_to_the_pre_shape_of_the_plan(tmp_path):
+    urdf = _data.directory("urdf")
+    joints = "".join(
+        f'<joint name="{finger}_{part}_joint" value="{value}"/>'
+        for finger in ("finger_1", "finger_2", "thumb")
+        for part, value in (("proximal", -0.05), ("distal", 1.42))
+    )
+    fist = f'<group_state name="fist" group="hand">{joints}</group_state></robot>'
+    srdf = (urdf / "kr5_sdh.srdf").read_text().replace("</robot>", fist)
+    (tmp_path / "mine.srdf").write_text(srdf)
+    hand = (urdf / "kr5_sdh.clasp.yaml").read_text()
+    (tmp_path / "mine.yaml").write_text(changed("open: open ", "open: [fist, open] ", hand))
+    text = changed("{urdf: kr5_sdh}", "{urdf: kr5_sdh, srdf: mine.srdf}\nhand: mine.yaml")
+    (tmp_path / "purse.yaml").write_text(text)
+    plan = graspless.plan(tmp_path / "purse.yaml")
+    assert plan, plan.reason
+    assert plan.pre_shape == "open"
+    trial = run(plan, Variation(), settings=SHORT)
+    assert trial.failures == ()
+    assert trial.measures["open_held"] < SHORT.sequences
 
 
 def test_measures_and_failures_are_those_that_are_explained(trial):

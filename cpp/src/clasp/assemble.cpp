@@ -79,7 +79,6 @@ std::string insecure(const Query& query) {
   const robot::Robot& robot = query.problem.robot;
   const StabilityOptions& load = query.options.stability;
   std::ostringstream out;
-  out.precision(3);
   out << "clasps were found, but the object came free of ";
   if (query.most_withstood == 0 && query.best_pinch.press == 0) {
     out << "all " << query.statistics.stability_tests << " in the stability test";

@@ -104,7 +104,8 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   warn_of_missing_limits(problem, options, plan);
   Variants variants;
   std::vector<std::unique_ptr<ClaspSearch>> searches;
-  if (is_start_free(query, plan)) {
+  const bool is_free = is_start_free(query, plan);
+  if (is_free) {
     const auto open = opened(query);
     if (!open) plan.warnings.push_back(kStaysClosed);
     const Eigen::VectorXd& q_init = open ? *open : problem.q_start;
@@ -112,11 +113,15 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
+  if (is_free && searches.empty() && !problem.hand.pre_shapes.empty()) {
+    variants.add_to(searches, query, plan);
+    if (!searches.empty()) plan.reason.clear();
+  }
   if (!searches.empty()) problem.object.outer_clearance();  // now: a failed search has no time left
   const std::size_t patience = Variants::kPatience * searches.size();
   clock.run([&] {
     for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
-      if (turn == patience) variants.add_to(searches, query);
+      if (turn == patience) variants.add_to(searches, query, plan);
       ClaspSearch& search = *searches[turn % searches.size()];
       while (!plan && search.cycle()) {                        // IV-D: Algorithm 1
         std::optional<Clasp> clasp = close_clasp(search);      // IV-D: until contact occurs

@@ -31,7 +31,7 @@ std::optional<Eigen::VectorXd> opened(Query& query) {
   return std::nullopt;
 }
 
-void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all) {
+void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all, Plan& plan) {
   const Hand& hand = all.problem.hand;
   std::vector<std::string> pre_shapes{hand.open};
   pre_shapes.insert(pre_shapes.end(), hand.pre_shapes.begin(), hand.pre_shapes.end());
@@ -45,14 +45,14 @@ void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query
       const bool is_whole = fingers.size() == hand.fingers.size();
       const Problem& problem = is_whole && pre_shape != hand.open ? all.problem : small;
       if (!problem.loops.empty() || &problem == &all.problem)
-        add(problem, fingers, pre_shape, all, searches);
+        add(problem, fingers, pre_shape, all, searches, plan);
     }
   }
 }
 
 void Variants::add(const Problem& problem, const std::vector<std::string>& fingers,
                    const std::string& pre_shape, Query& all,
-                   std::vector<std::unique_ptr<ClaspSearch>>& searches) {
+                   std::vector<std::unique_ptr<ClaspSearch>>& searches, Plan& plan) {
   const Hand& hand = all.problem.hand;
   const bool is_new = pre_shape != hand.open || fingers.size() < hand.fingers.size();
   const bool may_thread = fingers.size() == 1;
@@ -60,7 +60,13 @@ void Variants::add(const Problem& problem, const std::vector<std::string>& finge
   const Grip& grip = grips_.emplace_back(problem, all.options, fingers, pre_shape);
   Query& query = queries_.emplace_back(grip.problem, grip.options, all.clock, all.rng(), all.width);
   const auto open = opened(query);
-  if (!open && pre_shape != hand.open) return;
+  if (!open && pre_shape != hand.open) {
+    if (fingers.size() == hand.fingers.size())
+      plan.warnings.push_back("pre-shape '" + pre_shape +
+                              "' was not tried: the hand cannot move to it from the start without "
+                              "collision");
+    return;
+  }
   const Eigen::VectorXd& q_init = open ? *open : problem.q_start;
   Plan unused;  // for reasons why there is no target
   for (const LoopTask& task : choose_targets(query, q_init, unused)) {

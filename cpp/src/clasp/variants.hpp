@@ -22,14 +22,15 @@ class Variants {
   /// Number of cycles a loop after which a hand that has clasped nothing tries them, too.
   static constexpr std::size_t kPatience = 20;
 
-  void add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all);
+  /// The plan is warned of pre-shapes to which the hand cannot open.
+  void add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all, Plan& plan);
   /// Adds the counters of these searches.
   void report_to(Query& all) const;
 
  private:
   void add(const Problem& problem, const std::vector<std::string>& fingers,
            const std::string& pre_shape, Query& all,
-           std::vector<std::unique_ptr<ClaspSearch>>& searches);
+           std::vector<std::unique_ptr<ClaspSearch>>& searches, Plan& plan);
 
   std::deque<Grip> grips_;  // deques, as queries and searches keep references
   std::deque<Query> queries_;

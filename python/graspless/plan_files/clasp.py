@@ -136,7 +136,7 @@ class ClaspPlanFile(PlanFields):
         "curve of virtual_linking; none: all of the hand",
     )
     pre_shape: str = Field(
-        default="", description="state from which the hand closed; empty: the hand's first"
+        default="", description="pre-shape with which the search began; empty: the hand's first"
     )
     target: Target | None = Field(default=None, description="place on the clasped loop")
     min_linking: NotNegative = Field(description="threshold of virtual linking")

@@ -265,7 +265,7 @@ TEST(ClaspPlan, SaysWhatIsInTheWayOfASmallHole) {
   options = quick();
   options.stability.force = 1000;
   const std::string forced = clasp::plan(problem, options, cycles(24)).reason;
-  EXPECT_NE(forced.find("a sudden load of 1e+03 N and 0.15 Nm forces open the others, which hold "
+  EXPECT_NE(forced.find("a sudden load of 1000 N and 0.15 Nm forces open the others, which hold "
                         "with two fingers: they withstand "),
             std::string::npos)
       << forced;
@@ -296,8 +296,6 @@ TEST(ClaspPlan, TakesAnotherPreShapeWhereTheFirstClaspsNothing) {
   EXPECT_EQ(plan.pre_shape, "open");
   EXPECT_GT(plan.statistics.cycles, 20);
   EXPECT_EQ(check(problem, plan, quick()), std::vector<std::string>{});
-  plan.pre_shape = "fist";
-  EXPECT_NE(check(problem, plan, quick()), std::vector<std::string>{});
   plan.pre_shape = "claw";
   EXPECT_EQ(check(problem, plan, quick()),
             std::vector<std::string>{"plan: its pre-shape 'claw' is none of the hand's"});

@@ -121,7 +121,9 @@ struct Plan {
   /// Names of the fingers that clasp it together with the thumb. In a small hole these may be fewer
   /// than the hand has; the others close, too, but are not linked with the loop.
   std::vector<std::string> fingers;
-  std::string pre_shape;         ///< state from which the hand closed; empty: Hand::open
+  /// Pre-shape with which the search began; empty: Hand::open. The hand may be partly closed when
+  /// it arrives.
+  std::string pre_shape;
   geometry::ClaspTarget target;  ///< target that the hand holds, in O
   double min_linking = 0;        ///< threshold on |VLk| of the closed hand
   Stability stability;           ///< of the last row

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...tasks.clasp.hand import hand_of
 from ...timing import time as timed
 from ..results import Running, Trial, drained
 from ..robots import set_positions
@@ -100,12 +101,13 @@ def _prepare(
     recorder: Recorder | None,
 ) -> Running:
     task, loop = plan.task, plan.loop
-    chosen = settings or _settings(task.problem.hand, task.options.stability)
+    hand = hand_of(plan)
+    chosen = settings or _settings(hand, task.options.stability)
     assert loop is not None
     problem = task.problem
     world = make_world(task, variation, chosen, solids)
-    judge = Judge(problem.hand, world, problem.object.loops.found[loop].points)
-    execution = Execution(world, judge, problem.hand, problem.robot, recorder)
+    judge = Judge(hand, world, problem.object.loops.found[loop].points)
+    execution = Execution(world, judge, hand, problem.robot, recorder)
 
     def steps() -> Generator[str, None, Trial]:
         measures = yield from close(execution, timed(plan))
@@ -146,13 +148,12 @@ def held_locked(
     task, loop = plan.task, plan.loop
     assert loop is not None
     problem = task.problem
-    world = make_world(
-        task, Variation(), settings or _settings(problem.hand, task.options.stability)
-    )
+    hand = hand_of(plan)
+    world = make_world(task, Variation(), settings or _settings(hand, task.options.stability))
     set_positions(world.model, world.data, problem.robot, q)
     world.data.ctrl[:] = q
-    judge = Judge(problem.hand, world, problem.object.loops.found[loop].points)
-    execution = Execution(world, judge, problem.hand, problem.robot, None)
+    judge = Judge(hand, world, problem.object.loops.found[loop].points)
+    execution = Execution(world, judge, hand, problem.robot, None)
     world.let_go()
     start = execution.save()
     execution.set_back(start)

@@ -18,6 +18,7 @@ import numpy as np
 
 from ... import timing
 from ...tasks.chain.start import off_place
+from ...tasks.clasp.hand import hand_of
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
@@ -85,8 +86,9 @@ def start(
     grasp, *carries = stages
     problem = grasp.task.problem
     world = make_world(grasp.task, variation, settings or Clasp(), solids)
-    judge = Judge(problem.hand, world, problem.object.loops.found[grasp.loop].points)
-    execution = Execution(world, judge, problem.hand, problem.robot, recorder)
+    hand = hand_of(grasp)
+    judge = Judge(hand, world, problem.object.loops.found[grasp.loop].points)
+    execution = Execution(world, judge, hand, problem.robot, recorder)
 
     def steps() -> Generator[str, None, Trial]:
         measures = yield from close(execution, timing.time(grasp))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...tasks.clasp.hand import hand_of
 from ..robots import set_positions
 from ..variation import Variation
 from .model import make_world
@@ -32,12 +33,12 @@ def left_open(
     pushes the object leaves others without contact.
     """
     task = plan.task
-    robot, hand = task.problem.robot, task.problem.hand
+    robot, hand = task.problem.robot, hand_of(plan)
     world = make_world(task, Variation(), settings, solids, robot.ignored_pairs)
     model, data = world.model, world.data
     end = np.asarray(plan.segments[-1].positions[-1])
     closed = robot.clamp(robot.state(hand.closed))
-    way = np.sign(closed - robot.clamp(robot.state(plan.pre_shape or hand.open)))
+    way = np.sign(closed - robot.clamp(robot.state(hand.open)))
     steps = np.floor(way * (closed - end) * robot.step_weights / _STEP)
     steps = np.minimum(steps, round(settings.left_most / _STEP))
     left = 0

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from ..._core import robot as robots
+    from ...clasp import Plan
     from ..source import Location
 
 
@@ -125,6 +126,22 @@ def build_hand(
         where, what = _blamed(str(error), fields)
         raise source.error((*place, *where), what) from None
     return hand
+
+
+def hand_of(plan: Plan) -> clasp.Hand:
+    """Returns the hand as a plan uses it: with the fingers that clasp, from its pre-shape."""
+    hand = plan.task.problem.hand
+    return clasp.Hand(
+        arm=hand.arm,
+        hand=hand.hand,
+        frame=hand.frame,
+        forward_H=hand.forward_H,
+        sideways_H=hand.sideways_H,
+        fingers=[f for f in hand.fingers if not plan.fingers or f.name in plan.fingers],
+        thumb=hand.thumb,
+        open=plan.pre_shape or hand.open,
+        closed=hand.closed,
+    )
 
 
 def hand_in_force(hand: clasp.Hand) -> Hand:
