@@ -67,6 +67,16 @@ TEST(SlideHeights, APrismIsPressedOnItsTop) {
   EXPECT_TRUE(square.has_face_at({0, 0}, 1, 1));
 }
 
+/// Of two level parts, the one near the centre of mass, although the other is larger.
+TEST(SlideHeights, ThePartNearTheCentreOfMassIsPressed) {
+  const Object steps = round_object([](const Vector2d& p) { return p.x() < 0.02 ? 0.008 : 0.016; });
+  EXPECT_NEAR(steps.top(), 0.008, 1e-3);
+  const Eigen::Vector3d com(0.05, 0, 0.01);
+  EXPECT_NEAR(steps.with_com(com).top(), 0.016, 1e-3);
+  EXPECT_NEAR(steps.with_com(com).with_heights(*steps.heights()).top(), 0.016, 1e-3);
+  EXPECT_NEAR(steps.with_com(com).with_com({-0.05, 0, 0.01}).top(), 0.008, 1e-3);
+}
+
 /// A rugged disc with a level ridge of a width along x, and perhaps a higher wall beside it.
 Object ridged(double width, double wall) {
   return round_object([&](const Vector2d& p) {

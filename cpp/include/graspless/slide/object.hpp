@@ -57,7 +57,8 @@ class GRASPLESS_API Object {
   double spacing() const { return spacing_; }
   double thickness() const { return thickness_; }  ///< of its highest part [m]
   /// Height of the face on which a finger presses [m]: the thickness of a prism. With heights, that
-  /// of the level part of the top that has the most points(), or the thickness if nothing is level.
+  /// of the level part of the top that has the most points(), above all near the centre of mass, or
+  /// the thickness if nothing is level.
   double top() const { return face_height_; }
   /// True if the object has heights at a point, all that is within `radius` of it is as high as
   /// that face, within 2.5 mm, and nothing within `clear` is higher. So is a prism everywhere.

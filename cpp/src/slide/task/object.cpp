@@ -17,12 +17,13 @@
 namespace graspless::slide {
 namespace {
 
-constexpr Eigen::Index kPolledRows = 256;        // points between two polls
-constexpr double kColumnStep = 0.003;            // of the tops of columns [m]
-constexpr double kLevel = 0.0025;                // of heights from that of the face [m]
-constexpr double kLevelRadii[] = {0.01, 0.006};  // of discs that are level or not [m]
-constexpr double kMaxSlenderness = 0.75;         // thickness of a thin object, in its least widths
-constexpr double kMaxHeightSpread = 0.010;       // of a flat top, 5th to 95th percentile [m]
+constexpr Eigen::Index kPolledRows = 256;   // points between two polls
+constexpr double kColumnStep = 0.003;       // of the tops of columns [m]
+constexpr double kLevel = 0.0025;           // of heights from that of the face [m]
+constexpr double kLevelRadius = 0.006;      // of discs that are level or not [m]
+constexpr double kNearCom = 0.02;           // from where on points of a face count less [m]
+constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
+constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 double quantile(std::vector<double> values, double fraction) {
   const auto nth = values.begin() +
@@ -102,25 +103,28 @@ Eigen::Matrix2Xd outermost_of(const Eigen::Matrix2Xd& points) {
                                             static_cast<Eigen::Index>(found.size()));
 }
 
-/// Height at which the most of some points of a map are level; nothing if none is.
-std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::Matrix2Xd& points) {
-  std::vector<double> level;
-  for (const double radius : kLevelRadii) {
-    if (!level.empty()) break;
-    for (const auto& p : points.colwise()) {
-      poll();
-      const auto [least, largest] = map.range_near(p, radius);
-      if (map.at(p) > 0 && largest - least <= 2 * kLevel) level.push_back((least + largest) / 2);
-    }
+/// Height at which the most of some points of a map are level; nothing if none is. Points count the
+/// more the nearer they are to the centre of mass: pressed far from there, an object tips.
+std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::Matrix2Xd& points,
+                                  const Eigen::Vector2d& com) {
+  std::vector<std::pair<double, double>> level;  // height and weight
+  for (const auto& p : points.colwise()) {
+    poll();
+    const auto [least, largest] = map.range_near(p, kLevelRadius);
+    if (map.at(p) > 0 && largest - least <= 2 * kLevel)
+      level.emplace_back((least + largest) / 2, 1 / (kNearCom + (p - com).norm()));
   }
   std::sort(level.begin(), level.end());
   std::optional<double> height;
-  std::ptrdiff_t most = 0;
+  double weight = 0, most = 0;
   for (auto first = level.begin(), last = first; first != level.end(); ++first) {
-    while (last != level.end() && *last <= *first + kLevel) ++last;
-    if (last - first <= most) continue;
-    most = last - first;
-    height = *(first + most / 2);
+    for (; last != level.end() && last->first <= first->first + kLevel; ++last)
+      weight += last->second;
+    if (weight > most * (1 + 1e-12)) {
+      most = weight;
+      height = (first + (last - first) / 2)->first;
+    }
+    weight -= first->second;
   }
   return height;
 }
@@ -191,6 +195,8 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
   }
   Object other = *this;
   other.com_ = com_O;
+  if (heights_)
+    other.face_height_ = face_height(*heights_, points(), com_O.head<2>()).value_or(thickness_);
   return other;
 }
 
@@ -213,7 +219,7 @@ Object Object::with_heights(const geometry::HeightMap& heights_O) const {
   }
   Object other = *this;
   other.heights_ = heights_O;
-  other.face_height_ = face_height(heights_O, points()).value_or(thickness_);
+  other.face_height_ = face_height(heights_O, points(), com_.head<2>()).value_or(thickness_);
   other.shapes_ = geometry::columns(heights_O, kColumnStep);
   other.solid_ = collision::Solid(other.shapes_, "object '" + name_ + "'");
   return other;
