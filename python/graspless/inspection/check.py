@@ -84,8 +84,9 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
             if not _is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
     links = [robot.frame(node.link) for finger in curves.values() for node in finger.nodes]
-    for state in (hand.open, *hand.pre_shapes):
-        found += _of_open(Tree(robot), links, state)
+    for number, state in enumerate((hand.open, *hand.pre_shapes)):
+        field = f"open[{number}]" if hand.pre_shapes else "open"
+        found += [f"{field}: {text}" for text in _of_open(Tree(robot), links, state)]
     return [*found, *_of_home(robot, hand.open)]
 
 
@@ -180,7 +181,8 @@ class _Examined:
         if gaps[1] >= gaps[0]:
             shown = " and ".join(f"{1000 * gap:.1f} mm" for gap in gaps)
             yield f"closed: the tips are not nearer than when open: {shown} apart, closed and open"
-        yield from _of_open(self.tree, [*self.own, *self.other], hand.open)
+        for text in _of_open(self.tree, [*self.own, *self.other], hand.open):
+            yield f"open: {text}"
 
     def _gap(self, state: str) -> float:
         own, other = (self.ends(state, links) for links in (self.own, self.other))
@@ -194,7 +196,7 @@ def _of_open(tree: Tree, links: list[int], state: str) -> Iterator[str]:
     hand = {tree.links[link] for link in tree.links_below(tree.body(palm))}
     robot = tree.robot
     for a, b in sorted(touching(scene.Scene(robot), hand, np.asarray(robot.state(state)))):
-        yield f"open: {a} and {b} touch"
+        yield f"{a} and {b} touch"
 
 
 def _of_home(robot: Robot, state: str) -> Iterator[str]:

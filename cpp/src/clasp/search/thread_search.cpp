@@ -19,13 +19,13 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kSamplesPerCycle = 50;  // in a cycle
-constexpr double kTilt = 0.35;        // of a finger in the hole, largest standard deviation [rad]
-constexpr double kAside = 0.25;       // from the hole's centre, the same, by its width
-constexpr double kRetreat = 0.005;    // step of the way out of the hole [m]
-constexpr double kRoom = 0.02;        // between finger and hole at the end of the way out [m]
-constexpr double kJump = 0.3;         // longer steps have left the branch of the arm [rad]
-constexpr int kIterations = 500;      // of the search for a path to the hole
+constexpr int kSamplesPerCycle = 50;
+constexpr double kTilt = 0.35;      // of a finger in the hole, largest standard deviation [rad]
+constexpr double kAside = 0.25;     // from the hole's centre, the same, relative to its width
+constexpr double kRetreat = 0.005;  // step of the way out of the hole [m]
+constexpr double kRoom = 0.02;      // between finger and hole at the end of the way out [m]
+constexpr double kJump = 0.3;       // longer steps have left the branch of the arm [rad]
+constexpr int kIterations = 500;    // of the search for a path to the hole
 
 robot::Ik arm_ik(const Problem& problem) {
   robot::Ik::Options options;
