@@ -1010,8 +1010,7 @@ class Plan:
     @property
     def pre_shape(self) -> str:
         """
-        Pre-shape with which the search began, a state of the hand's joints; empty in old plans: hand.open. The hand
-        may be partly closed when it arrives.
+        Pre-shape with which the search began, a state of the hand's joints; empty in old plans: hand.open. The hand may be partly closed when it arrives.
         """
     @pre_shape.setter
     def pre_shape(self, arg0: str) -> None:
