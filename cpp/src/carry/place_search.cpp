@@ -10,6 +10,7 @@
 
 #include "carry/search.hpp"
 #include "carry/straight_path.hpp"
+#include "planning/joints.hpp"
 
 namespace graspless::carry {
 namespace {
@@ -141,7 +142,8 @@ std::optional<PlaceSearch::Putting> PlaceSearch::put_at(int place, const VectorX
 
 /// Opens the hand at the end of the way down, and withdraws it. Leaves the object there.
 std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
-  const VectorXd q = lower.back(), opened = with_arm(arm_of(q), places_.q_open);
+  const planning::Joints released{ik_.group(), places_.q_open};
+  const VectorXd q = lower.back(), opened = released.full(released.part(q));
   if (!is_free(q, opened)) {
     refuse("the hand opens: " + touching(opened));
     return std::nullopt;
@@ -188,22 +190,22 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
 
 bool PlaceSearch::add_transfer(const Putting& putting, int iterations, Plan& plan) {
   hold(0);
-  const auto full = [&](const VectorXd& arm) { return with_arm(arm, problem_.q_start); };
+  const planning::Joints joints{ik_.group(), problem_.q_start};
   planning::FreeSpace space;
-  space.lower = arm_of(problem_.robot.lower());
-  space.upper = arm_of(problem_.robot.upper());
+  space.lower = joints.part(problem_.robot.lower());
+  space.upper = joints.part(problem_.robot.upper());
   space.is_free = [&](const VectorXd& arm) {
-    return is_level(full(arm)) && scene_.is_free(full(arm));
+    return is_level(joints.full(arm)) && scene_.is_free(joints.full(arm));
   };
   space.is_motion_free = [&](const VectorXd& a, const VectorXd& b) {
-    return is_level(full(a), full(b)) && is_free(full(a), full(b));
+    return is_level(joints.full(a), joints.full(b)) && is_free(joints.full(a), joints.full(b));
   };
   space.is_out = [&] { return clock_.is_out(); };
-  const auto arm = planning::find_free_path(space, arm_of(problem_.q_start),
-                                            arm_of(putting.lower.front()), iterations, rng_);
+  const auto arm = planning::find_free_path(space, joints.part(problem_.q_start),
+                                            joints.part(putting.lower.front()), iterations, rng_);
   if (!arm) return false;
   Path transfer;
-  for (const VectorXd& at : *arm) transfer.push_back(full(at));
+  for (const VectorXd& at : *arm) transfer.push_back(joints.full(at));
   assemble(transfer, putting, plan);
   return true;
 }
@@ -217,20 +219,6 @@ void PlaceSearch::assemble(const Path& transfer, const Putting& putting, Plan& p
   plan.reason.clear();
   plan.place = putting.place;
   plan.reached = 1;
-}
-
-VectorXd PlaceSearch::with_arm(const VectorXd& arm, const VectorXd& hand) const {
-  VectorXd q = hand;
-  for (std::size_t i = 0; i < ik_.group().size(); ++i)
-    q[ik_.group()[i]] = arm[static_cast<Eigen::Index>(i)];
-  return q;
-}
-
-VectorXd PlaceSearch::arm_of(const VectorXd& q) const {
-  VectorXd arm(static_cast<Eigen::Index>(ik_.group().size()));
-  for (std::size_t i = 0; i < ik_.group().size(); ++i)
-    arm[static_cast<Eigen::Index>(i)] = q[ik_.group()[i]];
-  return arm;
 }
 
 Isometry3d PlaceSearch::object_at(const VectorXd& q) const {

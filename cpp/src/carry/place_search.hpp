@@ -54,8 +54,6 @@ class PlaceSearch {
   bool is_level(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
   bool is_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   double checked_step(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
-  Eigen::VectorXd with_arm(const Eigen::VectorXd& arm, const Eigen::VectorXd& hand) const;
-  Eigen::VectorXd arm_of(const Eigen::VectorXd& q) const;
   Eigen::Isometry3d object_at(const Eigen::VectorXd& q) const;
   void hold(double depth);
   void let_stand(const Eigen::VectorXd& q);

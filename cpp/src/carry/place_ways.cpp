@@ -6,6 +6,7 @@
 #include "graspless/watch.hpp"
 
 #include "carry/place_search.hpp"
+#include "planning/joints.hpp"
 
 /// Straight motions of the hand, and tests of motions.
 namespace graspless::carry {
@@ -43,7 +44,8 @@ std::optional<Path> PlaceSearch::along_way_out(const VectorXd& q) {
     ++statistics_.ik_calls;
     const auto arm = ik_.solve_near(X_WF * X_FW * problem_.robot.pose(frame_, out), path.back());
     if (!arm) return std::nullopt;
-    const VectorXd next = with_arm(arm_of(*arm), out);
+    const planning::Joints joints{ik_.group(), out};
+    const VectorXd next = joints.full(joints.part(*arm));
     if (problem_.robot.step(path.back(), next) > kBranch) return std::nullopt;
     if (!is_free(path.back(), next)) return std::nullopt;
     path.push_back(next);

@@ -43,9 +43,10 @@ void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query
   for (const std::string& pre_shape : pre_shapes) {
     for (const std::vector<std::string>& fingers : finger_runs(hand)) {
       const bool is_whole = fingers.size() == hand.fingers.size();
-      const Problem& problem = is_whole && pre_shape != hand.open ? all.problem : small;
-      if (!problem.loops.empty() || &problem == &all.problem)
-        add(problem, fingers, pre_shape, all, searches, plan);
+      if (is_whole && pre_shape != hand.open)
+        add(all.problem, fingers, pre_shape, all, searches, plan);
+      else if (!small.loops.empty())
+        add(small, fingers, pre_shape, all, searches, plan);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include "graspless/planning/free_path.hpp"
 #include "graspless/planning/vector_states.hpp"
 
+#include "planning/joints.hpp"
 #include "realize/track.hpp"
 
 namespace graspless::realize {
@@ -15,29 +16,12 @@ namespace {
 
 namespace ob = ompl::base;
 using Configurations = planning::Path;
+using planning::Joints;  // those that move fingertips
 
 constexpr double kRange = 0.25;  // longest extension while fingers are held [rad]
 constexpr int kProjections = 12;
 constexpr int kShortcuts = 30;
 constexpr int kDeepest = 12;  // halvings of a motion between two configurations
-
-/// The joints that move fingertips, as a box of their own.
-struct Joints {
-  const std::vector<int>& index;
-  const Eigen::VectorXd& rest;  // values of the others
-
-  Eigen::VectorXd part(const Eigen::VectorXd& q) const {
-    Eigen::VectorXd out(static_cast<Eigen::Index>(index.size()));
-    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = q[index[static_cast<std::size_t>(i)]];
-    return out;
-  }
-  Eigen::VectorXd full(const Eigen::VectorXd& part) const {
-    Eigen::VectorXd out = rest;
-    for (Eigen::Index i = 0; i < part.size(); ++i)
-      out[index[static_cast<std::size_t>(i)]] = part[i];
-    return out;
-  }
-};
 
 std::optional<Configurations> free_path(Hand& hand, const Eigen::VectorXd& from,
                                         const Eigen::VectorXd& to, int iterations,

@@ -11,6 +11,7 @@
 #include "clasp/hand/palm.hpp"
 #include "clasp/parameters.hpp"
 #include "clasp/search/hole.hpp"
+#include "planning/joints.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -151,33 +152,23 @@ planning::Path ThreadSearch::way_out() {
 
 bool ThreadSearch::connect(planning::Path& reach) {
   const robot::Robot& robot = query_.problem.robot;
-  const std::vector<int>& joints = robot.group(query_.problem.hand.arm);
   VectorXd shaped = q_start_;  // the hand as in the sample
   for (const int joint : robot.group(query_.problem.hand.hand)) shaped[joint] = q_[joint];
   if (!query_.is_motion_free(q_start_, shaped)) return false;
-  const auto part = [&](const VectorXd& q) {
-    VectorXd arm(static_cast<Eigen::Index>(joints.size()));
-    for (std::size_t i = 0; i < joints.size(); ++i)
-      arm[static_cast<Eigen::Index>(i)] = q[joints[i]];
-    return arm;
-  };
-  const auto full = [&](const VectorXd& arm) {
-    VectorXd q = shaped;
-    for (std::size_t i = 0; i < joints.size(); ++i)
-      q[joints[i]] = arm[static_cast<Eigen::Index>(i)];
-    return q;
-  };
+  const planning::Joints joints{robot.group(query_.problem.hand.arm), shaped};
   const planning::FreeSpace space{
-      part(robot.lower()), part(robot.upper()),
-      [&](const VectorXd& arm) { return query_.free.is_free(full(arm)); },
-      [&](const VectorXd& a, const VectorXd& b) { return query_.is_motion_free(full(a), full(b)); },
+      joints.part(robot.lower()), joints.part(robot.upper()),
+      [&](const VectorXd& arm) { return query_.free.is_free(joints.full(arm)); },
+      [&](const VectorXd& a, const VectorXd& b) {
+        return query_.is_motion_free(joints.full(a), joints.full(b));
+      },
       [&] { return query_.clock.is_out(); }};
   const planning::Path out = way_out();
-  const auto arm =
-      planning::find_free_path(space, part(shaped), part(out.back()), kIterations, query_.rng);
+  const auto arm = planning::find_free_path(space, joints.part(shaped), joints.part(out.back()),
+                                            kIterations, query_.rng);
   if (!arm) return false;
   planning::Path path{q_start_};
-  for (const VectorXd& q : *arm) path.push_back(full(q));
+  for (const VectorXd& q : *arm) path.push_back(joints.full(q));
   path.insert(path.end(), out.rbegin() + 1, out.rend());
   reach.insert(reach.begin(), path.begin(), path.end() - 1);  // which is the sample
   set_tree(reach);

@@ -25,17 +25,17 @@ from ..robots import set_positions
 from ..settings import Clasp
 from ..variation import Variation
 from .closing import left_open
-from .execution import Execution, Recorder
-from .judge import Judge
+from .execution import Execution, Recorder, execution_of
 from .model import make_world
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Mapping, Sequence
 
-    from ... import clasp, geometry
+    from ... import geometry
     from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
+    from .judge import Judge
 
 FAILURES = {
     "hit": "the object moved before the hand closed, or the robot touched an obstacle",
@@ -100,21 +100,17 @@ def _prepare(
     solids: Sequence[geometry.PlacedShape] | None,
     recorder: Recorder | None,
 ) -> Running:
-    task, loop = plan.task, plan.loop
-    hand = hand_of(plan)
-    chosen = settings or _settings(hand, task.options.stability)
-    assert loop is not None
-    problem = task.problem
-    world = make_world(task, variation, chosen, solids)
-    judge = Judge(hand, world, problem.object.loops.found[loop].points)
-    execution = Execution(world, judge, hand, problem.robot, recorder)
+    chosen = settings or _settings(plan)
+    pull_W = plan.task.problem.pull_W
+    world = make_world(plan.task, variation, chosen, solids)
+    execution = execution_of(plan, world, recorder)
 
     def steps() -> Generator[str, None, Trial]:
         measures = yield from close(execution, timed(plan))
         failures = has_closed(execution, plan, measures, solids)
-        if judge.linked():  # otherwise the loop was never in the hand
+        if execution.judge.linked():  # otherwise the loop was never in the hand
             seeds = _seeds(plan, variation, chosen.sequences)
-            pulled, found = _pulled(execution, seeds, _pull_direction(problem.pull_W, judge))
+            pulled, found = _pulled(execution, seeds, _pull_direction(pull_W, execution.judge))
             measures |= found
             failures += pulled
         return Trial(variation, tuple(failures), measures, 0.0)
@@ -145,19 +141,14 @@ def held_locked(
     float
         Least virtual linking of a finger at the start.
     """
-    task, loop = plan.task, plan.loop
-    assert loop is not None
-    problem = task.problem
-    hand = hand_of(plan)
-    world = make_world(task, Variation(), settings or _settings(hand, task.options.stability))
-    set_positions(world.model, world.data, problem.robot, q)
+    world = make_world(plan.task, Variation(), settings or _settings(plan))
+    set_positions(world.model, world.data, plan.task.problem.robot, q)
     world.data.ctrl[:] = q
-    judge = Judge(hand, world, problem.object.loops.found[loop].points)
-    execution = Execution(world, judge, hand, problem.robot, None)
+    execution = execution_of(plan, world, None)
     world.let_go()
     start = execution.save()
     execution.set_back(start)
-    linking = judge.linking()
+    linking = execution.judge.linking()
     with execution.locked():
         for seed in seeds:
             execution.set_back(start)
@@ -166,9 +157,10 @@ def held_locked(
     return True, linking
 
 
-def _settings(hand: clasp.Hand, load: clasp.StabilityOptions) -> Clasp:
+def _settings(plan: Plan) -> Clasp:
     """Returns the settings, with the load that a plan for two fingers withstands."""
-    if len(hand.fingers) > 1 or (load.force == 0 and load.torque == 0):
+    load = plan.task.options.stability
+    if len(hand_of(plan).fingers) > 1 or (load.force == 0 and load.torque == 0):
         return Clasp()
     return Clasp(force=load.force, torque=load.torque, pull_needed=load.force)
 

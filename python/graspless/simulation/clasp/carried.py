@@ -18,14 +18,12 @@ import numpy as np
 
 from ... import timing
 from ...tasks.chain.start import off_place
-from ...tasks.clasp.hand import hand_of
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
 from . import MEASURES as CLASP_MEASURES
 from . import close, has_closed
-from .execution import LOOK, Execution, Recorder
-from .judge import Judge
+from .execution import LOOK, Execution, Recorder, execution_of
 from .model import make_world
 from .object import OBJECT, STAND
 
@@ -84,16 +82,13 @@ def start(
 ) -> Running:
     """Returns the execution, to be run step by step."""
     grasp, *carries = stages
-    problem = grasp.task.problem
     world = make_world(grasp.task, variation, settings or Clasp(), solids)
-    hand = hand_of(grasp)
-    judge = Judge(hand, world, problem.object.loops.found[grasp.loop].points)
-    execution = Execution(world, judge, hand, problem.robot, recorder)
+    execution = execution_of(grasp, world, recorder)
 
     def steps() -> Generator[str, None, Trial]:
         measures = yield from close(execution, timing.time(grasp))
         failures = has_closed(execution, grasp, measures, solids)
-        if judge.linked():
+        if execution.judge.linked():
             carried = _Carried(execution, grasp, carries)
             yield from carried.steps()
             measures |= carried.measures

@@ -12,16 +12,18 @@ import mujoco
 import numpy as np
 
 from ... import limits
+from ...tasks.clasp.hand import hand_of
 from ..results import Recording
 from ..robots import lags
+from .judge import Judge
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Iterator
 
     from ... import clasp
+    from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
-    from .judge import Judge
     from .model import World
 
 LOOK = 0.02  # between two observations, and two rows of a recording [s]
@@ -246,6 +248,14 @@ class Execution:
         model, data = self.world.model, self.world.data
         mujoco.mj_setState(model, data, state, mujoco.mjtState.mjSTATE_INTEGRATION)
         mujoco.mj_forward(model, data)
+
+
+def execution_of(plan: Plan, world: World, recorder: Recorder | None) -> Execution:
+    """Returns the execution of a solved plan, judged by the fingers that clasp."""
+    problem, hand = plan.task.problem, hand_of(plan)
+    assert plan.loop is not None
+    judge = Judge(hand, world, problem.object.loops.found[plan.loop].points)
+    return Execution(world, judge, hand, problem.robot, recorder)
 
 
 def _looks(seconds: float) -> int:

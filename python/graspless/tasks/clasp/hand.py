@@ -130,18 +130,11 @@ def build_hand(
 
 def hand_of(plan: Plan) -> clasp.Hand:
     """Returns the hand as a plan uses it: with the fingers that clasp, from its pre-shape."""
-    hand = plan.task.problem.hand
-    return clasp.Hand(
-        arm=hand.arm,
-        hand=hand.hand,
-        frame=hand.frame,
-        forward_H=hand.forward_H,
-        sideways_H=hand.sideways_H,
-        fingers=[f for f in hand.fingers if not plan.fingers or f.name in plan.fingers],
-        thumb=hand.thumb,
-        open=plan.pre_shape or hand.open,
-        closed=hand.closed,
-    )
+    hand = plan.task.problem.hand  # a copy
+    if plan.fingers:
+        hand.fingers = [finger for finger in hand.fingers if finger.name in plan.fingers]
+    hand.open, hand.pre_shapes = plan.pre_shape or hand.open, []
+    return hand
 
 
 def hand_in_force(hand: clasp.Hand) -> Hand:

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace graspless::planning {
+
+/// Some joints of a robot, as a box of their own. It keeps references.
+struct Joints {
+  const std::vector<int>& index;
+  const Eigen::VectorXd& rest;  // values of the others
+
+  Eigen::VectorXd part(const Eigen::VectorXd& q) const {
+    Eigen::VectorXd out(static_cast<Eigen::Index>(index.size()));
+    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = q[index[static_cast<std::size_t>(i)]];
+    return out;
+  }
+  Eigen::VectorXd full(const Eigen::VectorXd& part) const {
+    Eigen::VectorXd out = rest;
+    for (Eigen::Index i = 0; i < part.size(); ++i)
+      out[index[static_cast<std::size_t>(i)]] = part[i];
+    return out;
+  }
+};
+
+}  // namespace graspless::planning
