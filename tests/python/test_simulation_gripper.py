@@ -59,8 +59,11 @@ def test_a_jaw_that_is_pushed_with_half_its_effort_gives_way_by_half_a_millimetr
     ("fingers", "load", "force"), [(1, 3.0, 3.0), (1, 0.0, 15.0), (2, 3.0, 15.0)]
 )
 def test_two_fingers_are_pulled_with_the_load_of_the_task(fingers, load, force):
-    hand = SimpleNamespace(fingers=[None] * fingers)
-    settings = _settings(hand, clasp.StabilityOptions(force=load, torque=load / 10))
+    task = SimpleNamespace(
+        problem=SimpleNamespace(hand=clasp.Hand(fingers=[clasp.Finger()] * fingers)),
+        options=clasp.Options(stability=clasp.StabilityOptions(force=load, torque=load / 10)),
+    )
+    settings = _settings(SimpleNamespace(task=task, fingers=[], pre_shape=""))
     assert settings.force == settings.pull_needed == force
     assert settings.torque == (load / 10 if force == load else Clasp().torque)
 

@@ -151,6 +151,11 @@ EdgeLabel label_of(const Step& step, const Raster& ground) {
   return EdgeLabel::occluded;
 }
 
+double area_of(const Raster& mask) {
+  const auto cells = std::count(mask.values.begin(), mask.values.end(), 1);
+  return static_cast<double>(cells) * mask.cell * mask.cell;
+}
+
 }  // namespace
 
 std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& sightings,
@@ -177,6 +182,7 @@ std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& 
     keep_largest(mask);
     clear_strips(mask, static_cast<int>(std::ceil(strip / 2 / ground.cell)));
     keep_largest(mask);
+    if (area_of(mask) < options.min_support_area) continue;  // nearly all of it is narrow
     const auto boundary = boundary_of(mask);
     std::vector<EdgeLabel> labels;
     for (const Step& step : boundary) labels.push_back(label_of(step, ground));

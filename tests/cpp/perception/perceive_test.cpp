@@ -143,6 +143,19 @@ TEST(Perceive, AWallBehindATableIsNoPartOfIt) {
   expect_real_edges_are_true(*support, 0.015);
 }
 
+TEST(Perceive, ANarrowPieceOfTheFloorIsNoSupport) {
+  // A frame of bars cuts a piece out of the floor that is narrower than a strip where a wall could
+  // cross it, at this noise.
+  std::vector<Body> bodies{floor(), table()};
+  for (const double side : {-1, 1}) {
+    bodies.push_back(box_at({0.04, 0.88, 0.1}, {-0.6 + 0.07 * side, 0, 0.05}));
+    bodies.push_back(box_at({0.1, 0.04, 0.1}, {-0.6, 0.42 * side, 0.05}));
+  }
+  const Scene scene = perceive({view_of(bodies, look_at({-1.2, 0, 1.8}, {-0.3, 0, 0.2}), 4)});
+  EXPECT_NE(table_in(scene), nullptr);
+  EXPECT_EQ(scene.supports.size(), 2u);
+}
+
 TEST(Perceive, MovesWithTheWorld) {
   const std::vector<Body> bodies{floor(), table(), on_table(kCard, -0.1, 0.1)};
   View view = view_of(bodies, eye());
