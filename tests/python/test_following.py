@@ -185,6 +185,26 @@ def test_a_shifted_path_keeps_clear_of_obstacles(turning, tmp_path, monkeypatch,
     assert touched(careless) == {"right_finger - post"}
 
 
+@pytest.mark.parametrize(("kick", "status"), [(0.004, "done"), (0.011, "stopped")])
+def test_a_shift_that_would_touch_is_taken_back_where_the_hand_grasps(
+    plan, monkeypatch, kick, status
+):
+    def ahead(_, deviation, correction, _seconds):
+        is_shifted = np.hypot(*correction.motion[:2]) > 5e-4
+        return "a - b" if deviation.course.name == "grasp" and is_shifted else ""
+
+    monkeypatch.setattr(Guard, "ahead", ahead)
+    world = World(plan)
+    world.run(until=lambda target: target.phase == "reach")
+    world.kick(kick, 0, 0)
+    target = world.run()
+    assert target.status == status
+    if status == "done":
+        np.testing.assert_allclose(world.q, plan.segments[-1].positions[-1], atol=1e-3)
+    else:
+        assert target.reason == "the shifted path would touch: a - b"
+
+
 def test_noise_alone_leads_to_no_new_plan(plan):
     for seed in range(4):
         world = World(plan, seed=seed, **CAMERA)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 IN_CONTACT = ("slide",)  # the hand moves the object
 _PAUSE = 0.05  # between segments [s]
 _IN_VAIN = 0.8  # of the largest turn
+_BACK = 1e-4, 1e-3  # of the plan's own path, where the hand counts as on it [m, rad]
 ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object
 
 
@@ -68,6 +69,26 @@ class Deviation:
         """Returns the motion [3] that the hand has to make: the error, and away in `reach`."""
         reaches = self.course.name == "reach"
         return self.error + np.append(self.away, 0.0) if reaches else self.error
+
+    @property
+    def back(self) -> Matrix:
+        """Returns the motion [3] that takes the hand back to the plan's own path."""
+        return plane.difference(self.commanded, self.course.place())
+
+    @property
+    def is_back(self) -> bool:
+        """True if the hand is on the plan's own path."""
+        most, turned = _BACK
+        return bool(np.hypot(*self.back[:2]) < most and abs(self.back[2]) < turned)
+
+    def is_slight(self, settings: Settings) -> bool:
+        """Returns True if the object is about where it was planned: no correction is needed.
+
+        An open hand that stays on the plan's own path still closes on it.
+        """
+        off = plane.difference(self.course.place(), self.place)
+        is_near = np.hypot(*off[:2]) <= settings.correct
+        return bool(is_near and abs(off[2]) <= settings.correct_angle)
 
     def bounded_step(self, settings: Settings) -> Matrix:
         """Returns the step [3], in contact only as far as the shift of the hand may go.

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from .correction import Correction
     from .course import Course
 
-RETREAT = "retreat"
+RETREAT, GRASP = "retreat", "grasp"
 _LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
 _FALLEN = 5  # successive poses off the support after which the object has fallen
 _PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
@@ -46,7 +46,8 @@ class Follower:
     object are corrected in place: the path of the hand is shifted and turned in the plane of the
     support, and along its normal, while the object is slid to the goal of the plan. Larger ones
     lead to a new plan, and so does a shift with which the hand or the object would touch anything
-    else.
+    else. Where the hand grasps, it goes back to the plan's own path instead, if the object is near
+    enough to its planned place.
 
     Parameters
     ----------
@@ -100,6 +101,7 @@ class Follower:
         self._restart = ""  # reason for which the motion brakes, to begin anew
         self._is_braking = False  # to go on from rest
         self._is_blocked = False  # the shifted path of this segment would touch something
+        self._goes_back = False  # to the plan's own path, which touches nothing
         self._index = 0
 
     def update(
@@ -176,6 +178,7 @@ class Follower:
         self._brake_before_contact()
         halted = bool(waits or self._stopped or self._restart or self._is_braking)
         step = _NO_STEP if halted or self._is_blocked else self._step()
+        halted = halted or (self._goes_back and not self._deviation.is_back)
         before = self._deviation.commanded
         self._correction.move(seconds, self._deviation.pivot, *step)
         halted = halted or bool(self._restart or self._is_braking)
@@ -198,14 +201,19 @@ class Follower:
 
     def _brake_before_contact(self) -> None:
         """Ends the motion if its shifted path touches anything before it could come to rest."""
-        if self._is_blocked or self._stopped:
+        deviation, settings = self._deviation, self.settings
+        waits = self._goes_back and not deviation.is_back
+        if self._is_blocked or self._stopped or waits:
             return
-        settings = self.settings
-        touching = self._guard.ahead(self._deviation, self._correction, settings.brake_seconds)
+        touching = self._guard.ahead(deviation, self._correction, settings.brake_seconds)
         if not touching:
             return
-        self._is_blocked = True
         reason = f"the shifted path would touch: {touching}"
+        is_slight = self._course.name == GRASP and deviation.is_slight(settings)
+        if is_slight and not self._goes_back:
+            self._goes_back, self._reason = True, f"goes back to the plan's path: {reason}"
+            return
+        self._is_blocked = True
         if self._course.name in IN_CONTACT:
             self._is_braking, self._reason = True, reason
         elif self._course.name in _PLANNED_ANEW:
@@ -240,6 +248,8 @@ class Follower:
     def _step(self) -> tuple[Matrix, float]:
         """Returns step [3] and rise of the correction; larger deviations are planned anew."""
         deviation, name, rise = self._deviation, self._course.name, 0.0
+        if self._goes_back:
+            return deviation.back, rise
         if name == "approach":
             off, spread = self.estimate.height, self.estimate.spread[2]
             rise = (off if abs(off) > 2 * spread else 0.0) - self._correction.height
@@ -278,7 +288,7 @@ class Follower:
         self._take(self.plan.segments[index], q, velocity)
 
     def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
-        self._still, self._is_blocked = 0.0, False
+        self._still, self._is_blocked, self._goes_back = 0.0, False, False
         self._replanner.forget()
         self._motion.take(segment, q, velocity)
 
