@@ -13,6 +13,7 @@ from .household.command import add_parser as _add_household
 from .ik import add_parser as _add_ik
 from .physics.command import add_parser as _add_physics
 from .robots.command import add_parser as _add_robots
+from .scaling.command import add_parser as _add_scaling
 from .see.command import add_parser as _add_see
 from .slide.command import add_parser as _add_slide
 
@@ -30,5 +31,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_edges(experiments)
     _add_physics(experiments)
     _add_robots(experiments)
+    _add_scaling(experiments)
     _add_see(experiments)
     _add_household(experiments)

@@ -14,7 +14,10 @@
 namespace graspless::collision {
 namespace {
 
-constexpr Eigen::Index kMost = 50'000;  // triangles that are kept, or vertices; about 1 kB each
+// Triangles, or vertices, about 1 kB each:
+constexpr Eigen::Index kMost = 50'000;        // of all small meshes that are kept
+constexpr Eigen::Index kSmall = kMost / 2;    // of a small mesh
+constexpr Eigen::Index kLargest = 1'000'000;  // of all large meshes that are kept
 
 /// Mixes the bytes of a matrix into a hash.
 template <class Matrix>
@@ -40,9 +43,15 @@ bool is_same(const geometry::Mesh& a, const geometry::Mesh& b) {
          a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-/// The meshes that were asked for last.
+Eigen::Index size_of(const geometry::Mesh& mesh) {
+  return std::max(mesh.triangles.cols(), mesh.vertices.cols());
+}
+
+/// The meshes that were asked for last, as long as they have at most `most` triangles together.
 class Kept {
  public:
+  explicit Kept(Eigen::Index most) : most_(most) {}
+
   std::optional<CollisionShape> find(const geometry::Mesh& mesh, std::uint64_t hash) {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
@@ -54,19 +63,16 @@ class Kept {
   }
 
   void add(const geometry::Mesh& mesh, std::uint64_t hash, const CollisionShape& shape) {
-    if (size_of(mesh) > kMost / 2) return;  // others would have to go
-    std::list<Entry> added, old;            // made and destroyed while others can ask
+    if (size_of(mesh) > most_) return;
+    std::list<Entry> added, old;  // made and destroyed while others can ask
     added.push_back({hash, mesh, shape});
     const std::lock_guard lock(mutex_);
     entries_.splice(entries_.begin(), added);
-    for (count_ += size_of(mesh); count_ > kMost; count_ -= size_of(old.front().mesh))
+    for (count_ += size_of(mesh); count_ > most_; count_ -= size_of(old.front().mesh))
       old.splice(old.begin(), entries_, std::prev(entries_.end()));
   }
 
  private:
-  static Eigen::Index size_of(const geometry::Mesh& mesh) {
-    return std::max(mesh.triangles.cols(), mesh.vertices.cols());
-  }
   struct Entry {
     std::uint64_t hash;
     geometry::Mesh mesh;
@@ -74,14 +80,22 @@ class Kept {
   };
   std::mutex mutex_;
   std::list<Entry> entries_;  // the last one first
-  Eigen::Index count_ = 0;
+  Eigen::Index most_, count_ = 0;
 };
+
+/// Where a mesh of this size is kept. Large ones, such as the scan of a room, do not displace those
+/// of a robot.
+Kept& kept_of(Eigen::Index size) {
+  // Never destroyed: a thread may still plan when others end.
+  static Kept &small = *new Kept(kMost), &large = *new Kept(kLargest);
+  return size > kSmall ? large : small;
+}
 
 }  // namespace
 
 CollisionShape prepared(const geometry::Mesh& mesh,
                         const std::function<CollisionShape(const geometry::Mesh&)>& make) {
-  static Kept& kept = *new Kept;  // never destroyed: a thread may still plan when others end
+  Kept& kept = kept_of(size_of(mesh));
   const std::uint64_t hash = hash_of(mesh);
   if (std::optional<CollisionShape> found = kept.find(mesh, hash)) return *std::move(found);
   CollisionShape shape = make(mesh);

@@ -56,14 +56,30 @@ TEST(Prepared, MeshesThatDifferInOneNumberShareNothing) {
   EXPECT_FALSE(share(first, shape_of(other)));
 }
 
-TEST(Prepared, OldMeshesAreForgottenAndLargeOnesNotKept) {
+TEST(Prepared, OldMeshesAreForgotten) {
   const geometry::Mesh mesh = random_mesh(3, 500);
   const CollisionShape first = shape_of(mesh);
   for (unsigned seed = 10; seed < 210; ++seed) shape_of(random_mesh(seed, 500));
   EXPECT_FALSE(share(first, shape_of(mesh)));
-  const geometry::Mesh large = random_mesh(4, 30'000);
-  EXPECT_FALSE(share(shape_of(large), shape_of(large)));
-  EXPECT_TRUE(share(shape_of(mesh), shape_of(mesh)));
+}
+
+TEST(Prepared, LargeMeshesAreKeptBesideSmallOnesUpToAMillionTriangles) {
+  const geometry::Mesh small = random_mesh(4, 20);
+  const CollisionShape first = shape_of(small);
+  int calls = 0;
+  const auto makes = [&](const geometry::Mesh&) {
+    ++calls;
+    return first;
+  };
+  const geometry::Mesh a = random_mesh(11, 130'000), b = random_mesh(12, 130'000),
+                       c = random_mesh(13, 130'000), huge = random_mesh(14, 340'000);
+  for (const auto* mesh : {&a, &b, &a, &b}) prepared(*mesh, makes);  // of 390,000 vertices each
+  EXPECT_EQ(calls, 2);
+  for (const auto* mesh : {&huge, &huge, &a, &b}) prepared(*mesh, makes);
+  EXPECT_EQ(calls, 4);
+  for (const auto* mesh : {&c, &b, &a}) prepared(*mesh, makes);
+  EXPECT_EQ(calls, 6);  // c and a, which c displaced
+  EXPECT_TRUE(share(first, shape_of(small)));
 }
 
 TEST(Prepared, WhatCannotBeMadeIsTriedAgain) {

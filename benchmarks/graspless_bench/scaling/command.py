@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command `graspless bench scaling`."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graspless._commands import FOUND, NOT_FOUND
+
+from ..arguments import check_writable, say_partial
+
+if TYPE_CHECKING:
+    import argparse
+
+
+def add_parser(experiments: Any) -> None:
+    """Adds `scaling` to the experiments."""
+    parser = experiments.add_parser(
+        "scaling",
+        help="growth of time and memory with locations, obstacles, points, workers, ...",
+        description="Plans problems of growing size and fits a power law to their times. Each "
+        "time is the least of some runs: of the processor, or wall clock for threads and workers. "
+        "Exit 1 when a query has no result.",
+    )
+    parser.add_argument("--curve", metavar="NAME", help="only this one (all)")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write results, a picture and scaling.md there"
+    )
+    parser.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from ..bar import Bar
+    from . import measure, report
+
+    if options.out is not None:
+        check_writable(options.out)
+    curves = measure.chosen(options.curve)
+    load = os.getloadavg()
+    bar = Bar("bench scaling", sum(len(curve.sizes) for curve in curves))
+    rows, is_complete = measure.run(curves, bar.tell)
+    bar.close()
+    result = report.as_result(rows, is_complete, load)
+    if options.out is not None and is_complete:
+        report.write(result, options.out)
+    print(json.dumps(result) if options.json else report.as_text(result))
+    if not is_complete:
+        return say_partial()
+    return NOT_FOUND if result["complaints"] else FOUND

@@ -1,0 +1,142 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of the curves: at the terminal, as JSON, as a picture, and as scaling.md."""
+
+from __future__ import annotations
+
+import json
+import string
+from typing import TYPE_CHECKING
+
+from .. import machine
+from ..pages import circumstances, template
+from ..tables import aligned, compact, markdown, milliseconds
+from .curves import CURVES
+from .measure import GOOD, exponent
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from ..machine import Row
+    from ..tables import Column
+
+UNITS = {curve.name: curve for curve in CURVES}
+
+
+def as_result(rows: Sequence[Row], is_complete: bool, load: Sequence[float]) -> Row:
+    """Returns all of a run, as printed by `--json`. `load`: load averages before it."""
+    return {
+        "bench": "scaling",
+        "complete": is_complete,
+        "rows": list(rows),
+        "curves": _curves(rows),
+        "complaints": [
+            f"{row['curve']}, {row['size']}: {row['status']}"
+            for row in rows
+            if row["status"] not in GOOD
+        ],
+        "machine": machine.machine(load, 0),
+        "versions": machine.versions(),
+    }
+
+
+def _curves(rows: Sequence[Row]) -> list[Row]:
+    """Returns a row for every curve: its exponent over all sizes, and that of the last step."""
+    found = []
+    for name in dict.fromkeys(row["curve"] for row in rows):
+        of = [row for row in rows if row["curve"] == name]
+        sizes, seconds = [row["size"] for row in of], [row["seconds"] for row in of]
+        if len(of) < 2:
+            continue
+        found.append(
+            {
+                "name": name,
+                "grows": UNITS[name].grows,
+                "from": sizes[0],
+                "to": sizes[-1],
+                "seconds_from": seconds[0],
+                "seconds_to": seconds[-1],
+                "exponent": exponent(sizes, seconds),
+                "last_exponent": exponent(sizes[-2:], seconds[-2:]),
+                "peak_mb": max(row["peak_mb"] for row in of),
+            }
+        )
+    return found
+
+
+def as_text(result: Row) -> str:
+    """Returns the text that the command prints."""
+    where = result["machine"]
+    rows = [row | {"name": f"{row['curve']}, {row['size']}"} for row in result["rows"]]
+    lines = [
+        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        aligned("", rows, _SIZES),
+        aligned("", result["curves"], _CURVES),
+        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
+        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
+    ]
+    return "\n".join(line for line in lines if line)
+
+
+def write(result: Row, directory: Path) -> None:
+    """Writes scaling.json, scaling.png and scaling.md."""
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "scaling.json").write_text(compact(json.dumps(result, indent=1)) + "\n")
+    _draw(result, directory / "scaling.png")
+    page = template("scaling")
+    sizes = [row | {"name": f"{row['curve']}, {row['size']}"} for row in result["rows"]]
+    fields = {
+        "curves": markdown(result["curves"], _CURVES, "curve"),
+        "sizes": markdown(sizes, _SIZES, "curve, size"),
+    }
+    text = string.Template(page["head"]).substitute(fields)
+    end = string.Template(page["circumstances"]).substitute(circumstances([result]))
+    (directory / "scaling.md").write_text(text + "\n" + end)
+
+
+def _draw(result: Row, path: Path) -> None:
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    from ..style import COLORS, STYLE
+
+    names = [row["name"] for row in result["curves"] if not UNITS[row["name"]].is_wall]
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(9, 5), layout="constrained")
+        for i, name in enumerate(names):
+            axes = figure.add_subplot(2, -(-len(names) // 2), i + 1)
+            rows = [row for row in result["rows"] if row["curve"] == name]
+            sizes = [row["size"] for row in rows]
+            times = [1e3 * row["seconds"] for row in rows]
+            axes.loglog(sizes, times, "o-", color=COLORS[i % len(COLORS)], markersize=4)
+            axes.set_xticks(sizes, [f"{size:,}" for size in sizes], fontsize=7, rotation=30)
+            axes.minorticks_off()
+            axes.set_ylim(1, 1e4)
+            axes.set_title(name, fontsize=9)
+            axes.set_xlabel(UNITS[name].grows, fontsize=7)
+            axes.set_ylabel("ms", fontsize=7)
+        figure.savefig(path, dpi=120)
+
+
+_SIZES: list[Column] = [
+    ("first run [ms]", lambda r: milliseconds(1e3 * r["seconds_of_runs"][0])),
+    ("least [ms]", lambda r: milliseconds(1e3 * r["seconds"])),
+    ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
+    ("status", lambda r: str(r["status"])),
+    ("load", lambda r: f"{r['load']:g}"),
+]
+_CURVES: list[Column] = [
+    ("what grows", lambda r: str(r["grows"])),
+    ("from", lambda r: f"{r['from']:,}"),
+    ("to", lambda r: f"{r['to']:,}"),
+    (
+        "time [ms]",
+        lambda r: (
+            f"{milliseconds(1e3 * r['seconds_from'])} to {milliseconds(1e3 * r['seconds_to'])}"
+        ),
+    ),
+    ("exponent", lambda r: f"{r['exponent']:.2f}"),
+    ("of the last step", lambda r: f"{r['last_exponent']:.2f}"),
+    ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
+]
