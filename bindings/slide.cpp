@@ -189,23 +189,29 @@ void bind_hand(py::module_& m) {
 void bind_problem(py::module_& m) {
   py::class_<Problem>(
       m, "Problem",
-      "Task of the planner: slide the object to an edge of the support and grasp it there.")
+      "Task of the planner: slide the object to an edge of the support and grasp it there; or to "
+      "X_WO_end, and leave it there.")
       .def(py::init([](const robot::Robot& robot, const Hand& hand, const Object& object,
                        const Support& support, const Array& X_WO_start, const Array& q_home,
-                       const std::vector<Obstacle>& obstacles) {
-             return Problem{robot,
-                            hand,
-                            object,
-                            support,
-                            to_pose(X_WO_start, "X_WO_start"),
-                            obstacles,
-                            to_configuration(robot, q_home, "q_home")};
+                       const std::vector<Obstacle>& obstacles,
+                       const std::optional<Array>& X_WO_end) {
+             Problem problem{robot,
+                             hand,
+                             object,
+                             support,
+                             to_pose(X_WO_start, "X_WO_start"),
+                             obstacles,
+                             to_configuration(robot, q_home, "q_home")};
+             if (X_WO_end) problem.X_WO_end = to_pose(*X_WO_end, "X_WO_end");
+             return problem;
            }),
            py::arg("robot"), py::arg("hand"), py::arg("object"), py::arg("support"),
            py::arg("X_WO_start"), py::arg("q_home"), py::arg("obstacles") = std::vector<Obstacle>{},
+           py::arg("X_WO_end") = py::none(),
            "X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) "
            "configuration at the start [rad or m]. obstacles: bodies that neither arm nor object "
-           "may touch.")
+           "may touch. X_WO_end: (4, 4) pose at which the object is left, flat on the support; by "
+           "default it is grasped over an edge.")
       .def_property_readonly(
           "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
       .def_property_readonly(
@@ -218,6 +224,12 @@ void bind_problem(py::module_& m) {
       .def_property_readonly(
           "X_WO_start", [](const Problem& self) { return from_pose(self.X_WO_start); },
           "(4, 4) pose of the object in the world.")
+      .def_property_readonly(
+          "X_WO_end",
+          [](const Problem& self) {
+            return self.X_WO_end ? std::optional(from_pose(*self.X_WO_end)) : std::nullopt;
+          },
+          "(4, 4) pose in the world at which the object is left; None: it is grasped.")
       .def_property_readonly(
           "q_home", [](const Problem& self) -> Eigen::VectorXd { return self.q_home; },
           "(dof,) configuration at the start [rad or m].")

@@ -65,13 +65,15 @@ void assemble(const Query& query, const Motions& motions, const Slid& slide, Pla
   }
   plan.segments.push_back(slide.segment);
   append(query, plan, "lift", with_hand_open(query, handling.lift), X_WO_goal);
-  append(query, plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
-  append(query, plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
-  append(query, plan, "close", handling.close, X_WO_goal);
+  if (!query.object_end) {
+    append(query, plan, "reach", with_hand_open(query, handling.reach), X_WO_goal);
+    append(query, plan, "grasp", with_hand_open(query, handling.grasp), X_WO_goal);
+    append(query, plan, "close", handling.close, X_WO_goal);
+    plan.X_WH_grasp = handling.X_WH;
+    plan.overhang = handling.placement.overhang;
+  }
   plan.status = Status::solved;
   plan.X_WO_goal = X_WO_goal;
-  plan.X_WH_grasp = handling.X_WH;
-  plan.overhang = handling.placement.overhang;
   plan.tube = slide.tube;
   for (const Warning& warning : warnings(query.problem, slide.pressed)) {
     plan.warnings.push_back(warning.text());

@@ -65,6 +65,12 @@ Planar effective_tip(const Hand& hand, const Tip& tip, double top, double touch_
   return X;
 }
 
+bool is_at_end(const Planar& object_end, const Planar& object_S) {
+  const Planar off = object_end.inverse() * object_S;
+  return off.translation().norm() <= kEndDistance &&
+         std::abs(Eigen::Rotation2Dd(off.rotation()).smallestAngle()) <= kEndTurn;
+}
+
 Planar planar(const Eigen::Isometry3d& X) {
   const double yaw = std::atan2(X.linear()(1, 0), X.linear()(0, 0));
   Planar p = Planar::Identity();

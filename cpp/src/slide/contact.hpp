@@ -22,6 +22,9 @@ using Planar = Eigen::Isometry2d;
 inline constexpr double kHeightTolerance = 5e-4;  ///< of the depth [m]
 inline constexpr double kRollTolerance = 1e-3;    ///< tilt of the line contact [rad]
 
+/// Tolerances of the place where an object is left, for numerical inverse kinematics [m, rad].
+inline constexpr double kEndDistance = 1e-4, kEndTurn = 1e-3;
+
 /// Largest commanded depth of a rigid finger: its pad yields by this much [m].
 inline constexpr double kPadGive = 0.003;
 
@@ -61,6 +64,9 @@ inline Planar object_pose(const Planar& tip_now, const Planar& tip_start,
                           const Planar& object_start) {
   return tip_now * tip_start.inverse() * object_start;
 }
+
+/// True if the object is where it shall be left.
+bool is_at_end(const Planar& object_end, const Planar& object_S);
 
 /// Projects a pose onto the plane of S.
 Planar planar(const Eigen::Isometry3d& X);

@@ -34,15 +34,7 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
   const ContactSpace::Carried carried = query_.carried_from(start);
   Handling handling;
   handling.object_goal = query_.contact.carry(carried, goal);
-  handling.placement = placement(query_.problem, query_.options, handling.object_goal);
-  if (handling.placement.overhang < query_.options.min_overhang) {  // condition 1
-    query_.refuse("pair: " + handling.placement.fault);
-    return false;
-  }
-  if (!handling.placement.com_inside) {  // condition 2
-    query_.refuse("pair: center of mass");
-    return false;
-  }
+  if (!is_goal(handling)) return false;
   const auto lift = lift_from(goal, handling.object_goal);
   if (!lift) {
     query_.refuse("pair: lift");
@@ -56,12 +48,32 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
     ++num_refused_;
     return false;
   }
-  if (!find_reach(handling)) {  // condition 3
+  if (!query_.object_end && !find_reach(handling)) {  // condition 3
     ++num_refused_;
     return false;
   }
   valid_approach_ = approach;
   handling_ = std::move(handling);
+  return true;
+}
+
+/// Conditions 1 and 2: the object sticks out over an edge, and does not fall. Or it is where it
+/// shall be left.
+bool Motions::is_goal(Handling& handling) {
+  if (query_.object_end) {
+    if (is_at_end(*query_.object_end, handling.object_goal)) return true;
+    query_.refuse("pair: the object ends elsewhere");
+    return false;
+  }
+  handling.placement = placement(query_.problem, query_.options, handling.object_goal);
+  if (handling.placement.overhang < query_.options.min_overhang) {  // condition 1
+    query_.refuse("pair: " + handling.placement.fault);
+    return false;
+  }
+  if (!handling.placement.com_inside) {  // condition 2
+    query_.refuse("pair: center of mass");
+    return false;
+  }
   return true;
 }
 

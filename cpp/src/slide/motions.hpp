@@ -19,7 +19,8 @@ struct Approach {
   planning::Path press;  ///< down to the touch, then along the retreat line to the start
 };
 
-/// Motion off the object after the slide, and the grasp.
+/// Motion off the object after the slide, and the grasp; only `lift` and `object_goal` if the
+/// object is left there.
 struct Handling {
   planning::Path lift;   ///< along the retreat line until the finger is off the object, then up
   planning::Path reach;  ///< free motion to the start of the straight approach
@@ -67,6 +68,7 @@ class GRASPLESS_API Motions {
     double deep;  ///< way from the middle of what sticks out towards the edge [m]
   };
 
+  bool is_goal(Handling& handling);
   const std::optional<Approach>& approach_to(const Eigen::VectorXd& start);
   std::optional<Approach> find_approach(const Eigen::VectorXd& start, int iterations);
   int search_iterations() const;

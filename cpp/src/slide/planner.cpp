@@ -77,7 +77,9 @@ void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan
 
 Plan searched(Query& query) {
   Plan plan;
-  if (!is_home_free(query, plan) || !can_press(query, plan) || !can_drag(query, plan)) return plan;
+  if (!is_home_free(query, plan) || !can_press(query, plan) || !can_drag(query, plan) ||
+      !can_be_left(query, plan))
+    return plan;
   Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);
   const auto starts = std::make_shared<StartRegion>(si, query);         // C_s, Eq. (3)

@@ -30,7 +30,9 @@ Query::Query(const Problem& problem, const Options& options, planning::Clock& cl
       object_body(free.world().body(kObjectBody)),
       object_start(planar(problem.support.X_WS().inverse() * problem.X_WO_start)),
       top(problem.object.top()),
-      X_WS(problem.support.X_WS()) {}
+      X_WS(problem.support.X_WS()) {
+  if (problem.X_WO_end) object_end = planar(X_WS.inverse() * *problem.X_WO_end);
+}
 
 void Query::refuse_collision(const std::string& when, scene::Scene& scene,
                              std::pair<int, int> bodies, const Eigen::VectorXd& q,
@@ -55,7 +57,10 @@ bool Query::is_lag_small(Slid slide) {
   }
   Course found = course(problem, options, slide.pressed);
   const Planar& goal = slide.pressed.back().X_SO;
-  const auto grasp = [&] { return placement(problem, options, goal).out_center; };
+  const auto grasp = [&]() -> std::optional<Eigen::Vector2d> {
+    if (object_end) return std::nullopt;
+    return placement(problem, options, goal).out_center;
+  };
   if (!allows_lag("pair", found.ends, goal, grasp)) return false;
   slide.tube = std::move(found.tube);
   slid = std::move(slide);
@@ -63,16 +68,19 @@ bool Query::is_lag_small(Slid slide) {
 }
 
 bool Query::is_lag_likely_small(const ContactSpace::Carried& carried, double depth,
-                                const Placement& place, const Planar& object_goal) {
+                                const std::optional<Placement>& place, const Planar& object_goal) {
   if (!refuses_lag) return true;
   const Planar tip_goal = object_goal * carried.object_start.inverse() * carried.tip_start;
   const std::vector<Planar> ends =
       weakest_ends(problem, options, {carried.tip_start, tip_goal, carried.object_start, depth});
-  return allows_lag("goal", ends, object_goal, [&] { return place.out_center; });
+  return allows_lag("goal", ends, object_goal, [&]() -> std::optional<Eigen::Vector2d> {
+    if (!place) return std::nullopt;
+    return place->out_center;
+  });
 }
 
 bool Query::allows_lag(const std::string& what, const std::vector<Planar>& ends, const Planar& goal,
-                       const std::function<Eigen::Vector2d()>& grasp) {
+                       const std::function<std::optional<Eigen::Vector2d>()>& grasp) {
   constexpr double kNothing = 1e-9;  // [m, rad]
   if (!refuses_lag) return true;
   const Lag lag = largest_lag(ends, goal);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -56,7 +57,8 @@ struct GRASPLESS_API Query {
   scene::Scene free;     ///< all other motions: nothing may touch, the object does not move
   int object_body;       ///< index of the object in `free`
   Planar object_start;   ///< kappa_s in S
-  double top;            ///< z_s: height of the object's top face over S
+  std::optional<Planar> object_end;  ///< where the object is left, in S
+  double top;                        ///< z_s: height of the object's top face over S
   Eigen::Isometry3d X_WS;
 
   double uniform(double lower, double upper) {
@@ -76,10 +78,11 @@ struct GRASPLESS_API Query {
   /// Estimates the same for a finger that moves and turns the object evenly to the goal, at
   /// constant depth and pitch. Counts a rejection.
   bool is_lag_likely_small(const ContactSpace::Carried& carried, double depth,
-                           const Placement& place, const Planar& object_goal);
-  /// Tests the ends of a slide. `grasp` returns the middle of the planned grasp, in S.
+                           const std::optional<Placement>& place, const Planar& object_goal);
+  /// Tests the ends of a slide. `grasp` returns the middle of the planned grasp, in S; nothing if
+  /// the object is left where it is.
   bool allows_lag(const std::string& what, const std::vector<Planar>& ends, const Planar& goal,
-                  const std::function<Eigen::Vector2d()>& grasp);
+                  const std::function<std::optional<Eigen::Vector2d>()>& grasp);
 
   /// True if the straight motion of all joints is free of collision, at the steps at which check()
   /// replays it.

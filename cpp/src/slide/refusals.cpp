@@ -169,6 +169,20 @@ bool can_drag(const Query& query, Plan& plan) {
   return false;
 }
 
+bool can_be_left(const Query& query, Plan& plan) {
+  const Problem& problem = query.problem;
+  const double margin = query.options.com_margin;
+  if (!query.object_end || is_supported(problem, *query.object_end, margin)) return true;
+  plan.status = Status::no_goal_root;
+  const double inside = problem.support.polygon().depth(com_foot(problem, *query.object_end));
+  plan.reason = "at X_WO_end, " +
+                (inside < margin ? "the centre of mass is " + in_mm(inside) + " inside the edge"
+                                 : std::string("the part of the rim on the support does not hold "
+                                               "the centre of mass")) +
+                "; options.com_margin asks for " + in_mm(margin);
+  return false;
+}
+
 std::string reason(Query& query, const Plan& plan) {
   if (plan.status == Status::solved) return "solved";  // depths of collisions are not wanted
   const bool pairs = plan.status == Status::no_valid_pair;
@@ -188,7 +202,10 @@ std::string reason(Query& query, const Plan& plan) {
     case Status::no_start_root:
       return "no configuration was found that presses on the object" + refused;
     case Status::no_goal_root:
-      return "no configuration was found that presses near an edge of the support" + refused;
+      return (query.object_end
+                  ? "no configuration was found that presses on the object where it shall be left"
+                  : "no configuration was found that presses near an edge of the support") +
+             refused;
     case Status::no_valid_pair:
       return "starts and goals were connected, but no pair of them was valid" + refused;
     case Status::not_connected:

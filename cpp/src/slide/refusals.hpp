@@ -23,6 +23,10 @@ bool can_press(const Query& query, Plan& plan);
 /// True if the pad can drag the object somewhere. Otherwise sets the plan's status and reason.
 bool can_drag(const Query& query, Plan& plan);
 
+/// True if the object stays where it shall be left, if there is such a place. Otherwise sets the
+/// plan's status and reason.
+bool can_be_left(const Query& query, Plan& plan);
+
 /// Describes the plan's status in one sentence, from its statistics.
 std::string reason(Query& query, const Plan& plan);
 

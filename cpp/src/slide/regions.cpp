@@ -32,8 +32,8 @@ constexpr int kLagPatience = 30;
 constexpr int kFreeJoints = 5, kFreeJointsOfPartner = 3;
 constexpr int kFirstDraws = 4 * planning::ForestCBiRRT::kCompared;  // of starts
 
-// Goals of the object that are drawn for each start.
-constexpr int kDraws = 24;
+// Goals of the object that are drawn for each start; values of the free joint for a given one.
+constexpr int kDraws = 24, kDrawsOfEnd = 4;
 
 // Draws of the goal and of the edge of a slide that goes on, before those of other edges.
 constexpr int kFormer = 8, kFormerEdge = 24;
@@ -64,8 +64,7 @@ std::vector<Eigen::VectorXd> presses_at(Query& query, const Planar& contact, dou
 std::optional<Eigen::VectorXd> press_at(Query& query, const Planar& contact, double depth,
                                         const Eigen::VectorXd& near, double free_joint) {
   std::vector<Eigen::VectorXd> arms = presses_at(query, contact, depth, near, free_joint);
-  if (arms.empty()) return {};
-  return arms.front();
+  return arms.empty() ? std::nullopt : std::optional(arms.front());
 }
 
 double draw_depth(Query& query) {
@@ -172,6 +171,7 @@ GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions&
 
 // Eq. (4): a contact anywhere near the edges, any yaw, pitch beta_0, a depth in the band.
 bool GoalRegion::try_sample(ob::State* state) const {
+  if (query_.object_end) return false;  // goals fit a start
   const auto point =
       query_.problem.support.goal_band().sample(query_.rng, query_.options.tip_margin);
   if (!point) {
@@ -218,9 +218,7 @@ std::optional<double> GoalRegion::try_sample_partner(const ob::State* start, ob:
       query_.refuse("goal: reach");
     } else if (!query_.contact.is_valid(*arm, carried)) {
       query_.refuse_press("goal: ", *arm);
-    } else if (const auto place = placed(query_, partner.object_S);
-               place && query_.is_lag_likely_small(carried, depth, *place, partner.object_S) &&
-               motions_.is_graspable(partner.object_S, *place)) {
+    } else if (is_goal(carried, depth, partner.object_S)) {
       vector(goal, query_.arm.dof()) = *arm;
       return partner.travel;
     }
@@ -228,17 +226,25 @@ std::optional<double> GoalRegion::try_sample_partner(const ob::State* start, ob:
   return std::nullopt;
 }
 
-/// Draws goals that fit a start. For the first starts, the nearest goals come first: their slides
-/// are the shortest, and the pad turns the least on them. A slide that goes on prefers its former
-/// goal, and then its former edge.
+/// True if friction is likely to take the object there, where the hand grasps or leaves it.
+bool GoalRegion::is_goal(const ContactSpace::Carried& carried, double depth,
+                         const Planar& object_S) const {
+  if (query_.object_end) return query_.is_lag_likely_small(carried, depth, std::nullopt, object_S);
+  const auto place = placed(query_, object_S);
+  return place && query_.is_lag_likely_small(carried, depth, place, object_S) &&
+         motions_.is_graspable(object_S, *place);
+}
+
+/// Draws goals that fit a start. For the first starts, the nearest goals come first: the pad turns
+/// the least on them. A slide that goes on prefers its former goal, and then its former edge.
 std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::Carried& carried,
                                                            double joint_at_start) const {
   const bool near_first = num_drawn_ < kDraws * planning::ForestCBiRRT::kCompared;
   std::vector<Partner> partners;
-  for (int i = 0; i < kDraws; ++i) {
+  for (int i = 0; i < (query_.object_end ? kDrawsOfEnd : kDraws); ++i) {
     const int rank = former_ ? (num_drawn_ >= kFormer) + (num_drawn_ >= kFormer + kFormerEdge) : 0;
     const auto object_S = draw_object_pose(carried);
-    const double free_joint = draw_free_joint(joint_at_start);
+    const double free_joint = draw_free_joint(joint_at_start, i);
     if (!object_S) continue;
     partners.push_back({*object_S, free_joint, rank, travel(query_, *object_S)});
   }
@@ -249,8 +255,8 @@ std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::C
   return partners;
 }
 
-/// Draws a goal pose of the object: graspable by construction, with the fingertip's contact still
-/// on the support.
+/// Draws a goal pose of the object: graspable by construction, or where it is left, with the
+/// fingertip's contact still on the support.
 std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& carried) const {
   const std::optional<Planar> object_S = draw_graspable();
   if (!object_S) {
@@ -267,6 +273,7 @@ std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& 
 
 std::optional<Planar> GoalRegion::draw_graspable() const {
   const int drawn = num_drawn_++;
+  if (query_.object_end) return query_.object_end;
   if (former_ && drawn < kFormer) return former_;
   if (former_ && drawn < kFormer + kFormerEdge) {
     return draw_graspable_pose(query_.problem, query_.options, former_edge_, query_.rng);
@@ -274,9 +281,10 @@ std::optional<Planar> GoalRegion::draw_graspable() const {
   return draw_graspable_pose(query_.problem, query_.options, query_.rng);
 }
 
-/// Draws the free joint of a partner: that of its start. If there is no other start, later values
-/// are near it, and then anywhere.
-double GoalRegion::draw_free_joint(double at_start) const {
+/// Draws the free joint of a partner: that of its start. If there is no other start or goal, later
+/// values are near it, and then anywhere.
+double GoalRegion::draw_free_joint(double at_start, int i) const {
+  if (query_.object_end) return i == 0 ? at_start : query_.draw_free_joint(at_start);
   if (!query_.tip_ik.free_joint() || !has_one_start_ || num_drawn_ <= 1) return at_start;
   if (num_drawn_ > kFormer + kFormerEdge && query_.uniform(0, 1) < 0.5) {
     return query_.draw_free_joint();

@@ -47,6 +47,8 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
                             const ompl::base::State* goal) const override;
 
  private:
+  bool is_goal(const ContactSpace::Carried& carried, double depth, const Planar& object_S) const;
+
   /// Goal of the object that was drawn for a start.
   struct Partner {
     Planar object_S;
@@ -59,7 +61,7 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
                                      double joint_at_start) const;
   std::optional<Planar> draw_object_pose(const ContactSpace::Carried& carried) const;
   std::optional<Planar> draw_graspable() const;
-  double draw_free_joint(double at_start) const;
+  double draw_free_joint(double at_start, int i) const;
 
   Query& query_;
   Motions& motions_;

@@ -334,14 +334,19 @@ class Hand:
         ...
 class Problem:
     """
-    Task of the planner: slide the object to an edge of the support and grasp it there.
+    Task of the planner: slide the object to an edge of the support and grasp it there; or to X_WO_end, and leave it there.
     """
-    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = []) -> None:
+    def __init__(self, robot: graspless._core.robot.Robot, hand: Hand, object: Object, support: Support, X_WO_start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], q_home: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], obstacles: collections.abc.Sequence[graspless._core.collision.Obstacle] = [], X_WO_end: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> None:
         """
-        X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) configuration at the start [rad or m]. obstacles: bodies that neither arm nor object may touch.
+        X_WO_start: (4, 4) pose of the object, flat on the support. q_home: (dof,) configuration at the start [rad or m]. obstacles: bodies that neither arm nor object may touch. X_WO_end: (4, 4) pose at which the object is left, flat on the support; by default it is grasped over an edge.
         """
     def __repr__(self) -> str:
         ...
+    @property
+    def X_WO_end(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"] | None:
+        """
+        (4, 4) pose in the world at which the object is left; None: it is grasped.
+        """
     @property
     def X_WO_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """

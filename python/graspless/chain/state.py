@@ -29,7 +29,8 @@ def ends(plans: Sequence[Any]) -> State:
     """Returns the state at the end of the last of some solved plans, one after the other."""
     plan = plans[-1]
     q, X_WO = _moment(plan, first=False)
-    return State(X_WO, q, _held(plans), corners(plan, X_WO))
+    moved = corners(plan, X_WO) if plan.kind == "fingertip" else None
+    return State(X_WO, q, _held(plans), moved)
 
 
 def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
@@ -69,7 +70,7 @@ def _moment(plan: Any, first: bool) -> tuple[Matrix | None, Matrix]:
 def _held(plans: Sequence[Any]) -> Held | None:
     plan = plans[-1]
     problem, fields = plan.task.problem, plan.task.fields
-    if plan.kind not in HOLDING:
+    if plan.kind not in HOLDING or (plan.kind == "slide" and problem.X_WO_end is not None):
         return None
     grasp = next(p for p in reversed(plans) if p.kind != "carry")
     q_open = np.asarray(grasp.segments[-1].positions[0])

@@ -61,7 +61,7 @@ class Follower:
     Raises
     ------
     TaskError
-        The plan is not a solved slide plan, or a limit is not positive.
+        The plan is not a solved slide plan that ends with a grasp, or a limit is not positive.
     """
 
     def __init__(
@@ -81,6 +81,8 @@ class Follower:
             raise TaskError(f"the plan's status is {found.status}, not solved: nothing to follow")
         self.settings = settings or Settings()
         problem = found.task.problem
+        if problem.X_WO_end is not None:
+            raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")
         limits = max_velocity, max_acceleration, max_jerk
         within = limits_of(problem.robot, self.settings.rate, *limits, contact_speed)
         self._hand = Hand(problem)

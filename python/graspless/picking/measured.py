@@ -28,12 +28,15 @@ CELL = 0.006  # between points at which the height is looked at [m]
 
 
 def doubt(plan: Any, wish: Wish) -> str:
-    """Says why the first stage of a chain misses the object as it was measured, or nothing.
+    """Says why the first stage of a chain, or a slide at its end, misses the object as it was
+    measured; or nothing.
 
     A slide needs the measured height where the finger presses. Plans that take the object for a
     prism also need it where the hand closes: a slide the whole height, a pinch that of the fingers.
     """
-    stage = plan.stages[0]
+    stage = plan.stages[-1]
+    if stage.kind != "slide":
+        stage = plan.stages[0]
     if stage.kind == "slide":
         return _doubt_slide(stage, wish)
     if stage.kind == "pinch" and stage.task.problem.object.heights is None:
@@ -51,7 +54,8 @@ def _doubt_slide(stage: Any, wish: Wish) -> str:
         ("the finger presses", hand.fingertip, slide, 0, PRESS_LOWER),
         ("the hand closes", hand.grasp_frame, stage.segments[-1], -1, GRIP_LOWER),
     ]
-    for what, frame, segment, row, lower in places[: 1 if thing.heights is not None else None]:
+    is_left = stage.task.problem.X_WO_end is not None
+    for what, frame, segment, row, lower in places[: 1 if thing.heights or is_left else None]:
         place = _place(stage, frame, segment, row)
         height = height_at(wish, place, near)
         if height is None:

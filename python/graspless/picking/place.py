@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 MARGIN = 0.01  # of the middle of the object within the edge of its support [m]
 GAP = 0.01  # to other objects [m]
 SPACING = 0.04  # of places on a support [m]
-ALONG = 0.03  # of places along an edge [m]
+EVEN = 0.005  # [m]
 DENSE = 0.005  # of points of outlines [m]
 TURNS = 8  # yaws at a place without one
 MOST = 60  # places that are given to the planner
@@ -88,6 +88,11 @@ class Target:
         return float(np.arctan2(self.support.X_WS[1, 0], self.support.X_WS[0, 0]))
 
     @property
+    def is_same(self) -> bool:
+        """True if the object stands on that support now."""
+        return bool(self.support.name == self.wish.support.name)
+
+    @property
     def obstacle(self) -> str:
         """Name of the support as an obstacle."""
         return f"scene {self.support.name}"
@@ -104,7 +109,15 @@ class Target:
         assert pose is not None
         x, y = self._in_S(np.array([[pose.x, pose.y]]))[0]
         yaws = self.turns if pose.yaw is None else [pose.yaw - self.yaw]
+        if pose.yaw is not None and self.is_even:
+            yaws.append(yaws[0] + np.pi)
         return [frames.planar(x, y, yaw) for yaw in yaws]
+
+    @cached_property
+    def is_even(self) -> bool:
+        """True if half a turn changes neither the outline nor the centre of mass, within `EVEN`."""
+        off = [abs(float(self.wish.outline.depth(-p))) for p in self.ring]
+        return max(off) < EVEN and float(np.linalg.norm(self.wish.com[:2])) < EVEN
 
     @cached_property
     def turns(self) -> list[float]:
@@ -114,10 +127,11 @@ class Target:
         steps = sorted(range(TURNS), key=lambda k: min(k, TURNS - k))
         return [now + 2 * np.pi * k / TURNS for k in steps]
 
-    def fault(self, X_SO: Matrix, slack: float = 0.0) -> tuple[int, str]:
+    def fault(self, X_SO: Matrix, slack: float = 0.0, in_region: bool = True) -> tuple[int, str]:
         """Says why the object cannot stand at a pose, or up to `slack` from it [m], or nothing.
 
-        The number counts the conditions that hold, in the order in which they are looked at.
+        Unless `in_region`, it may be outside the region. The number counts the conditions that
+        hold, in the order in which they are looked at.
         """
         margin, gap = MARGIN + slack, GAP + slack
         inside = float(self.polygon.depth(X_SO[:2, 3]))
@@ -126,7 +140,7 @@ class Target:
             off = f"{100 * abs(inside):.1f} cm {where} the edge of {self.support.name}"
             return 0, f"its middle would be {off}; {100 * margin:.0f} cm within it are needed"
         ring = _moved(self.ring, X_SO)
-        if self.region is not None:
+        if in_region and self.region is not None:
             region = self.region
             out = [p for p in ring if region.depth(p) < slack and self.polygon.contains(p)]
             if out:
@@ -176,22 +190,6 @@ class Target:
         here: Matrix = X_SO[:2, 3]
         return here
 
-    def over_edges(self, X_EO: Matrix) -> Iterator[Matrix]:
-        """Yields poses at which the object lies over a real edge as it did when it was grasped.
-
-        `X_EO` is its pose at an edge: x along it, y into the support.
-        """
-        real = [i for i, label in enumerate(self.support.edges) if str(label) == "real"]
-        poses = []
-        for i in real:
-            edge = self.polygon.edge(i)
-            a, b = np.asarray(edge.a), np.asarray(edge.b)
-            length = float(np.linalg.norm(b - a))
-            for t in np.linspace(0, 1, max(1, int(length / ALONG)) + 2)[1:-1]:
-                poses.append(edge_frame(edge, a + t * (b - a)) @ X_EO)
-        near = self.middle if self.place.pose is None else self.asked()[0][:2, 3]
-        yield from sorted(poses, key=lambda X: float(np.linalg.norm(X[:2, 3] - near)))
-
 
 def target_of(wish: Wish, given: Any) -> Target:
     """Returns where the object shall be put down. Raises TaskError if there is no such support."""
@@ -218,30 +216,28 @@ def refusal(target: Target, slack: float = 0.0) -> str:
 def stage_of(target: Target, grasp: Any, lift: Any) -> dict[str, Any] | str:
     """Returns the stage of a chain that puts down what it has grasped and lifted, or a reason.
 
-    `grasp` and `lift` are the plans of these stages. After a slide one finger is below the object:
-    it can only be put down over an edge, as it was grasped.
+    `grasp` and `lift` are the plans of these stages. See `over_edge` for what was slid.
     """
     sway = loose.sway_of(lift, target.wish)
     if falls := loose.refusal(sway, lift, target.wish):
         return falls
     slack = 0.0 if sway is None else sway.off
-    if target.place.pose is not None:
-        poses = iter(target.asked())
-    elif grasp.kind == "slide":
-        poses = target.over_edges(_at_edge(grasp))
-    else:
-        poses = target.spread()
+    poses = target.spread() if target.place.pose is None else iter(target.asked())
     found = list(itertools.islice((X for X in poses if not target.fault(X, slack)[1]), MOST))
-    if not found and grasp.kind != "slide":
-        return f"it may stand {1000 * slack:.0f} mm off, and {refusal(target, slack)}"
     if not found:
-        return (
-            f"a finger is below the object: it must lie over a real edge of {target.support.name}, "
-            "as it was grasped, and no such place is free"
-        )
-    obstacles = target.wish.around if grasp.kind == "clasp" else target.wish.beside
+        return f"it may stand {1000 * slack:.0f} mm off, and {refusal(target, slack)}"
+    stage = put_down(target, found, grasp.kind)
+    return stage | loose.place_options(sway)
+
+
+def put_down(target: Target, poses: list[Matrix], grasp: str) -> dict[str, Any]:
+    """Returns the stage that puts the object down at the first of poses X_SO that works.
+
+    `grasp` is the kind of the stage that grasped it.
+    """
+    obstacles = target.wish.around if grasp == "clasp" else target.wish.beside
     on = target.obstacle
-    if target.support.name == target.wish.support.name and grasp.kind != "clasp":
+    if target.is_same and grasp != "clasp":
         on = "support"
     elif all(obstacle["name"] != on for obstacle in obstacles):
         obstacles = [*obstacles, *documents([scenes.slab(target.support)])]
@@ -251,31 +247,10 @@ def stage_of(target: Target, grasp: Any, lift: Any) -> dict[str, Any] | str:
         "place": {
             "on": on,
             "normal": [float(value) for value in target.support.X_WS[:3, 2]],
-            "poses": [plain(pose_fields(target.support.X_WS @ X_SO)) for X_SO in found],
+            "poses": [plain(pose_fields(target.support.X_WS @ X_SO)) for X_SO in poses],
         },
         "obstacles": obstacles,
-        **loose.place_options(sway),
     }
-
-
-def edge_frame(edge: geometry.Edge, p: Matrix) -> Matrix:
-    """[4, 4] pose in S of a frame on an edge: x along it, y into the polygon, at p."""
-    inward = np.asarray(edge.inward)
-    return frames.planar(float(p[0]), float(p[1]), float(np.arctan2(-inward[0], inward[1])))
-
-
-def _at_edge(slide: Any) -> Matrix:
-    """[4, 4] X_EO of the object at the edge over which a slide grasps it, by the hand."""
-    problem = slide.task.problem
-    X_SW = np.linalg.inv(problem.support.X_WS)
-    last = slide.segments[-1]
-    X_WH = problem.robot.pose(problem.hand.grasp_frame, last.positions[-1])
-    X_SO = X_SW @ last.object_poses[-1]
-    edge = problem.support.polygon.nearest_edge((X_SW @ X_WH)[:2, 3])
-    a, b = np.asarray(edge.a), np.asarray(edge.b)
-    along = (b - a) / np.linalg.norm(b - a)
-    foot = a + along * float((X_SO[:2, 3] - a) @ along)
-    return np.asarray(np.linalg.inv(edge_frame(edge, foot)) @ X_SO)
 
 
 def _moved(ring: Matrix, X: Matrix) -> Matrix:
@@ -283,4 +258,4 @@ def _moved(ring: Matrix, X: Matrix) -> Matrix:
     return moved
 
 
-__all__ = ["Target", "refusal", "stage_of", "target_of"]
+__all__ = ["MOST", "Target", "put_down", "refusal", "stage_of", "target_of"]

@@ -177,14 +177,14 @@ def refusal(strategy: str, wish: Wish, opening: float | None) -> str:
 def _pinch(wish: Wish) -> dict[str, Any]:
     return {
         "object": object_fields(wish),
-        "support": support_fields(wish, None),
+        "support": support_fields(wish.support, None),
         "obstacles": wish.beside,
     }
 
 
 def _slide(wish: Wish) -> dict[str, Any]:
     """Returns the fields of a slide. No camera saw the underside of the object."""
-    fields = _pinch(wish) | {"support": support_fields(wish, wish.real_edges)}
+    fields = _pinch(wish) | {"support": support_fields(wish.support, wish.real_edges)}
     return fields | {"object": {**fields["object"], "hollow": True}}
 
 

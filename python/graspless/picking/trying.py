@@ -12,8 +12,7 @@ from .. import chain, planning
 from .._api import check, plan_since
 from ..errors import OutOfTimeError, TaskError
 from ..tasks import task_from_dict
-from . import loose
-from . import place as places
+from . import loose, over_edge
 from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
@@ -31,6 +30,9 @@ if TYPE_CHECKING:
 # Slides press at random places, and clasps hold at random places what shall be put down. A pinch is
 # the same with every seed.
 SEEDS = {"pinch": 1, "rim": 1, "slide": 8, "clasp": 4}
+SLIDE_ITERATIONS = (
+    800  # of a slide to a place: hundreds of starts, all with the goal that fits them
+)
 APART = 2**32  # between their seeds: those of `best_of` follow each other
 
 
@@ -82,7 +84,8 @@ def attempt_plan(
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
     if plan and target is not None and not doubted:
-        attempt.reason = str(loose.sway_of(plan.stages[-1], wish) or "")
+        held = [stage for stage in plan.stages if stage.kind == "carry"][-1]
+        attempt.reason = str(loose.sway_of(held, wish) or "")
     if doubted:
         attempt.status, attempt.reason, attempt.is_planned = REFUSED, doubted, True
         return None
@@ -148,13 +151,17 @@ def _plan(
             iterations=way.iterations
         )
         faults: list[str] = []
+        tried: list[tuple[Plan, str]] = []
         for plan in _grasps(strategy, task, seed, seconds, began, wish if target else None):
             doubted = doubt(plan, wish) if plan else ""
             if plan and not doubted and target is not None:
                 left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
                 plan, doubted = _placed(plan, target, document, left)
+            tried.append((plan, doubted))
             if not doubted or time.monotonic() - began >= seconds:
                 break
+        if doubted and target is not None:  # what came farthest says most
+            plan, doubted = max(tried, key=lambda one: len(one[0].stages))
         if plan and not doubted:
             faults = check(plan)
         holds = plan and not doubted and not faults
@@ -208,15 +215,42 @@ def _grasps(
 
 
 def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[Plan, str]:
-    """Adds the stage that puts the object down. Returns the plan, and why it has no such stage."""
-    stage = places.stage_of(target, *plan.stages[-2:])
-    if isinstance(stage, str):
-        return plan, f"picked up, but not put down: {stage}"
-    whole = document | {"stages": [*document["stages"], stage]}
-    task = task_from_dict(whole, "place", resolve=True)
-    budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed)
-    found = chain.continued(plan, task, budget)
-    return found, "" if found else f"picked up, but not put down: {found.reason}"
+    """Adds the stages that put the object down. Returns the plan, and why it has none."""
+    began = time.monotonic()
+    grasp, lift = plan.stages[-2:]
+    ways = over_edge.ways_down(target, grasp, lift, document["stages"][-2])
+    if isinstance(ways, str):
+        return plan, f"picked up, but not put down: {ways}"
+    waiting = sum(1 + len(slides) for _, slides in ways)
+    failed: list[tuple[int, Plan, str]] = []  # by the stages that were reached
+
+    def share() -> float:
+        left = seconds - (time.monotonic() - began)
+        return max(LEAST_SECONDS, left / max(1, waiting - len(failed)))
+
+    for put, slides in ways:
+        there = _with_stages(plan, document, [put], share())
+        if there and not slides:
+            return there, ""
+        if not there:
+            failed.append((1, there, there.reason))
+        for slide in slides if there else []:
+            found = _with_stages(there, document, [put, slide], share())
+            doubted = doubt(found, target.wish) if found else found.reason
+            if not doubted:
+                return found, ""
+            failed.append((2, found, doubted))
+    _, best, why = max(failed, key=lambda one: one[0])
+    return best, f"picked up, but not put down: {why}"
+
+
+def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float) -> Plan:
+    """Adds the last of some stages to a plan that has the others."""
+    whole = document | {"stages": [*document["stages"], *stages]}
+    task = task_from_dict(whole, stages[-1]["name"], resolve=True)
+    limit = {"iterations": SLIDE_ITERATIONS} if stages[-1]["kind"] == "slide" else {}
+    budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed, **limit)
+    return chain.continued(plan, task, budget)
 
 
 __all__ = ["attempt_plan"]

@@ -187,11 +187,11 @@ def _seen(wish: Wish, cell: float) -> geometry.HeightMap:
     return geometry.seen_heights(thing.points, thing.rays, wish.outline, top, cell)
 
 
-def support_fields(wish: Wish, edges: list[int] | None) -> dict[str, Any]:
+def support_fields(support: Support, edges: list[int] | None) -> dict[str, Any]:
     """Returns the support of a slide or a pinch."""
     given: dict[str, Any] = {
-        "polygon": rows_of(wish.support.polygon),
-        "pose": plain(pose_fields(wish.support.X_WS)),
+        "polygon": rows_of(support.polygon),
+        "pose": plain(pose_fields(support.X_WS)),
     }
     return given if edges is None else given | {"usable_edges": edges}
 

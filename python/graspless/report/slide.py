@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def details(plan: Plan) -> dict[str, Any]:
     """Returns the fields of `--json` that only this kind has."""
     return {
-        "overhang": plan.overhang if plan else None,
+        "overhang": plan.overhang if plan and plan.task.problem.X_WO_end is None else None,
         "tube": {"position": list(plan.tube.position), "angle": list(plan.tube.angle)},
         "warnings": list(plan.warnings),
         "segments": segment_details(plan),
@@ -55,6 +55,8 @@ def _slide_line(plan: Plan) -> str:
     path = sum(float(np.linalg.norm(np.diff(p, axis=0), axis=1).sum()) for p in slides)
     along = f"along a path of {path * 100:.1f} cm"
     moved = f"the {name} slides {distance * 100:.1f} cm {along} and turns {turn:.0f} deg"
+    if plan.task.problem.X_WO_end is not None:
+        return f"{moved}, and is left there"
     needed = 100 * plan.task.options.min_overhang
     out = f"overhang {plan.overhang * 100:.1f} cm (at least {needed:.1f} cm needed to grasp it)"
     return f"{moved}; {out}"

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Simulation of chains: a slide, a pinch or a clasp followed by carries, executed in one run.
 
+A slide from where the object was put down is part of that run.
+
 Before a slide or a pinch, an arm may have moved the object with its fingertips: a run before that
 one.
 
@@ -21,6 +23,7 @@ import numpy as np
 from .. import timing
 from ..errors import TaskError
 from . import moved
+from .carries import OPEN, RETREAT, with_carries
 from .clasp import carried
 from .results import Trial
 from .settings import SLIDE_SPREAD, Slide
@@ -28,19 +31,24 @@ from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
 from .slide import execute, running
 from .slide.execution import Execution
-from .slide.program import HOLD, RAISE, SQUEEZE, Program, make_program, stretch
+from .slide.program import (
+    HOLD,
+    RAISE,
+    REST,
+    SQUEEZE,
+    Program,
+    make_program,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from .._plan import Plan as AnyPlan
     from ..chain import Plan
     from ..frames import Matrix
     from .results import Recording, Running
     from .slide.truth import Truth
     from .variation import Variation
 
-OPEN, RETREAT, REST = "open", "retreat", "rest"
 SPREAD = SLIDE_SPREAD
 FAILURES = {
     **carried.FAILURES,
@@ -131,22 +139,28 @@ def require_simulated(task: Any) -> None:
     kinds = [stage.kind for stage in task.problem.stages]
     has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
     first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
+    if others[-2:] == ["carry", "slide"]:  # from where it was put down
+        others.pop()
     drags = any(stage.kind == "carry" and stage.fields.rests_on for stage in task.problem.stages)
     is_lifted = first == "clasp" and others and not has_arm and not drags
     is_known = first in ("slide", "pinch") or is_lifted
     if not is_known or set(others) - {"carry"}:
         raise TaskError(
             f"a chain of {', '.join(kinds)} is not simulated (a slide, a pinch or a clasp and the "
-            "carries that lift it are, the first two also after one motion by the fingertips of an "
-            "arm): plan its stages as tasks of their own, and simulate those plans"
+            "carries that lift it are, also with a slide from where it was put down; the first two "
+            "also after one motion by the fingertips of an arm): plan its stages as tasks of their "
+            "own, and simulate those plans"
         )
 
 
 def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:
     """Adds the planned poses of the object to a recording: on the support, then in the hand."""
-    first, *carries = stages
-    poses = timing.time(first).followed(recording.names, recording.times)
-    after = np.isin(recording.names, (RAISE, HOLD, OPEN, RETREAT, REST))
+    first, carries, later = _parted(stages)
+    names = np.array(recording.names)
+    last = int(np.flatnonzero(names == RETREAT)[-1]) + 1 if (names == RETREAT).any() else len(names)
+    own = [name if row < last else REST for row, name in enumerate(recording.names)]
+    poses = timing.time(first).followed(own, recording.times)
+    after = np.isin(own, (RAISE, HOLD, OPEN, RETREAT, REST))
     if after.any():
         begin = float(recording.times[after][0])
         for stage in carries:
@@ -154,7 +168,17 @@ def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:
             rows = after & (recording.times >= begin)
             poses[rows] = trajectory.at(recording.times[rows] - begin).object_poses
             begin += trajectory.duration
+    if later is not None and last < len(names):
+        slid = timing.time(later).followed(recording.names[last:], recording.times[last:])
+        poses[last:] = slid
     return dataclasses.replace(recording, planned_poses=poses)
+
+
+def _parted(stages: Sequence[Any]) -> tuple[Any, list[Any], Any]:
+    """Returns the grasp, the carries after it, and the slide at their end, or None."""
+    first, *carries = stages
+    later = carries.pop() if carries[-1].kind == "slide" else None
+    return first, carries, later
 
 
 class _Carried(Execution):
@@ -167,11 +191,11 @@ class _Carried(Execution):
         settings: Slide,
         truth: Truth | None = None,
     ) -> None:
-        first, *carries = stages
+        first, carries, later = _parted(stages)
 
         def control(timestep: float) -> Program:
             program = make_program(first, timing.time(first), timestep, settings)
-            return with_carries(program, carries, timestep)
+            return with_carries(program, carries, timestep, later, settings)
 
         last: Any = carries[-1]
         places = last.task.problem.places
@@ -179,16 +203,19 @@ class _Carried(Execution):
             first,
             variation,
             settings,
-            obstacles_of(stages),
+            obstacles_of([first, *carries]),
             control,
             truth,
             standing=None if places is None else places.on,
+            later=later,
         )
         self.measures = {"kept": 0.0, "lifted": 0.0}
         self._until = HOLD if places is None else REST
         begin: Matrix = carries[0].segments[0].object_poses[0]
-        self._place: Matrix = last.segments[-1].object_poses[-1]
-        self._asked: Matrix = self._place[:3, 3] - begin[:3, 3]
+        put: Matrix = last.segments[-1].object_poses[-1]
+        self._place: Matrix = put if later is None else later.X_WO_goal
+        self._asked: Matrix = put[:3, 3] - begin[:3, 3]
+        self._is_put = False
         self._lowest = min(
             float(segment.object_poses[:, 2, 3].min())
             for stage in carries
@@ -205,13 +232,18 @@ class _Carried(Execution):
 
     def _end_of(self, phase: str, following: str) -> None:
         super()._end_of(phase, following)
-        if phase == REST:
-            self._measure_place()
+        if phase == RETREAT:
+            self._is_put = True
+            self._let_finger_slide()
         if phase == SQUEEZE:
             self._from = self.judge.pose(self.data)[:3, 3]
             self.judge.lowest = min(self.judge.lowest, self._lowest - self.settings.fell)
 
-    def _measure_place(self) -> None:
+    def _measure_slide(self) -> None:
+        if not self._is_put:  # it is looked at when it rests, after another slide
+            super()._measure_slide()
+
+    def _measure_rested(self) -> None:
         X_WO = self.judge.pose(self.data)
         position = float(np.linalg.norm((X_WO - self._place)[:3, 3]))
         cosine = (np.trace(self._place[:3, :3].T @ X_WO[:3, :3]) - 1) / 2
@@ -250,50 +282,3 @@ def obstacles_of(stages: Sequence[Any]) -> list[Any]:
                 known.append(fields)
                 found.append(obstacle)
     return found
-
-
-def with_carries(program: Program, carries: Sequence[AnyPlan], timestep: float) -> Program:
-    """Returns the program of a slide with its lift replaced by the motions of carries.
-
-    Parameters
-    ----------
-    program : Program
-    carries : list of plans
-        Plans of kind carry.
-    timestep : float
-        Time step [s].
-    """
-    begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
-    names, moved = _motions(carries, timestep)
-    carried = [values for name, values in zip(names, moved, strict=True) if name == RAISE]
-    squeeze = program.positions[begin - 1] - carried[0][0]
-    raised = np.concatenate(carried) + squeeze
-    still = int(np.count_nonzero(program.phase == hold))
-    parts = [(RAISE, raised), (HOLD, np.repeat(raised[-1:], still, axis=0))]
-    for name, values in zip(names, moved, strict=True):
-        if name == OPEN:  # the squeeze goes, too
-            left = np.linspace(1, 0, len(values))[:, None]
-            parts.append((OPEN, values + left * squeeze))
-        elif name == RETREAT:
-            parts += [(RETREAT, values), (REST, np.repeat(values[-1:], still, axis=0))]
-    names = list(dict.fromkeys([*program.names, *(name for name, _ in parts)]))
-    positions = np.concatenate([program.positions[:begin], *(values for _, values in parts)])
-    phases = [np.full(len(values), names.index(name)) for name, values in parts]
-    return dataclasses.replace(
-        program,
-        positions=positions,
-        velocities=np.gradient(positions, timestep, axis=0),
-        phase=np.concatenate([program.phase[:begin], *phases]),
-        names=names,
-    )
-
-
-def _motions(carries: Sequence[AnyPlan], timestep: float) -> tuple[list[str], list[Matrix]]:
-    """Returns the motions of carries at even times, each with the name of its phase."""
-    names, moved = [], []
-    for stage in carries:
-        trajectory = timing.time(stage)
-        for i, segment in enumerate(trajectory.segments):
-            names.append(segment.name if segment.name in (OPEN, RETREAT) else RAISE)
-            moved.append(stretch(trajectory, i, timestep))
-    return names, moved

@@ -23,7 +23,7 @@
 namespace graspless::pinch {
 
 /// The same task as that of a slide: an object, given as a prism over its outline or by its
-/// heights, on a support.
+/// heights, on a support. A pinch does not look at X_WO_end.
 using Problem = slide::Problem;
 
 enum class Status {

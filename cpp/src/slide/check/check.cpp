@@ -39,9 +39,13 @@ Faults Examination::run() {
   check_pressing(segment("lift"));
   check_clearance();
   check_slide();
-  check_pair();
-  check_grasp();
-  check_closing();
+  if (problem_.X_WO_end) {
+    check_end();
+  } else {
+    check_pair();
+    check_grasp();
+    check_closing();
+  }
   check_tube();
   check_warnings();
   return faults_;
@@ -49,10 +53,11 @@ Faults Examination::run() {
 
 /// Names of the segments that the plan must have, in order.
 std::vector<std::string> Examination::names() const {
-  constexpr std::ptrdiff_t kApproach = 1, kSlide = 3;
+  constexpr std::ptrdiff_t kApproach = 1, kSlide = 3, kReach = 5;
   const std::vector<std::string>& all = segment_names();
-  if (!plan_.resumed) return {all.begin() + kApproach, all.end()};
-  return has("retreat") ? all : std::vector(all.begin() + kSlide, all.end());
+  const auto end = problem_.X_WO_end ? all.begin() + kReach : all.end();
+  const std::ptrdiff_t first = !plan_.resumed ? kApproach : has("retreat") ? 0 : kSlide;
+  return {all.begin() + first, end};
 }
 
 bool Examination::has(const std::string& name) const {

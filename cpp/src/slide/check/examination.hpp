@@ -94,7 +94,7 @@ class Examination {
   struct Protrusion {
     bool any = false;
     double overhang = 0;
-    Eigen::Vector2d center;
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
     geometry::Polygon::Edge edge{};
     bool is_over_unusable_edge = false;
   };
@@ -110,6 +110,8 @@ class Examination {
   void check_clearance();
   void check_touching_row(const Segment& segment, std::size_t row, const Finger& now);
   void check_pair();
+  void check_end();
+  void check_held_up();
   void check_grasp();
   void check_closing();
   void check_tube();

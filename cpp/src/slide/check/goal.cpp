@@ -141,6 +141,23 @@ void Examination::check_pair() {
   if (!(std::abs(out.overhang - plan_.overhang) <= kSame)) {
     fault("goal", "the overhang is not what the plan says: it is " + figure(out.overhang) + " m");
   }
+  check_held_up();
+}
+
+/// The object lies where it shall be left.
+void Examination::check_end() {
+  const Eigen::Isometry3d X_OO = problem_.X_WO_end->inverse() * plan_.X_WO_goal;
+  constexpr double kFlat = 0.002, kTilt = 0.0175;  // of X_WO_end against the support [m, rad]
+  const Eigen::Vector3d off = X_OO.translation(), turn = X_OO.linear() * Eigen::Vector3d::UnitX();
+  if (!(off.head<2>().norm() <= kEndDistance + kFlat * kTilt && std::abs(off.z()) <= 2 * kFlat) ||
+      !(std::abs(std::atan2(turn.y(), turn.x())) <= kEndTurn + kSame)) {
+    fault("goal", "the object is not at X_WO_end: it is " + figure(off.norm()) + " m off");
+  }
+  check_held_up();
+}
+
+/// Condition 2 of IsPairValid: the support holds the object.
+void Examination::check_held_up() {
   Eigen::Vector3d com_W = plan_.X_WO_goal * problem_.object.com();
   const Eigen::Vector3d n = problem_.support.normal_W();
   // Along gravity, onto the surface.

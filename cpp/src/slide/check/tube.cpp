@@ -84,10 +84,12 @@ void Examination::check_drag(const std::vector<PressedRow>& rows) {
   }
 }
 
-/// Wherever friction leaves the object, the support must hold it and the hand must reach it.
+/// Wherever friction leaves the object, the support must hold it, and the hand must reach it if it
+/// grasps it there.
 void Examination::check_ends(const std::vector<Planar>& ends) {
-  const Protrusion planned = protrusion();
-  if (!planned.any) return;  // check_pair() finds that
+  const bool is_grasped = !problem_.X_WO_end;
+  const Protrusion planned = is_grasped ? protrusion() : Protrusion{};
+  if (is_grasped && !planned.any) return;  // check_pair() finds that
   const Eigen::Matrix3d R_WS = problem_.support.X_WS().linear();
   const Eigen::Vector3d down_S = -R_WS.transpose().col(2);
   const Eigen::Vector3d planned_O = (X_SW_ * plan_.X_WO_goal).inverse() *
@@ -105,7 +107,8 @@ void Examination::check_ends(const std::vector<Planar>& ends) {
       fault("tube", "friction may leave the object tipping on its rim");
     }
     const Eigen::Vector2d grasp_O = X_SO.inverse() * planned.center;
-    if (!(signed_depth(problem_.object.outline().vertices(), grasp_O) >= least - kRounded)) {
+    if (is_grasped &&
+        !(signed_depth(problem_.object.outline().vertices(), grasp_O) >= least - kRounded)) {
       fault("tube", "friction may leave the object out of the hand");
     }
     const Planar off = planar(X_SW_ * plan_.X_WO_goal).inverse() * X_SO;

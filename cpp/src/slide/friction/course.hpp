@@ -47,10 +47,10 @@ inline constexpr Lag kMostLag{0.010, 0.0873};
 
 /// Returns the condition that friction breaks at one of the ends: the lag is at most kMostLag, the
 /// centre of mass is on the support, also if the object rests on its rim, and the middle of the
-/// planned grasp (in S) is on the object. Nothing if all hold. The margins of the plan
-/// (com_margin, min_overhang) are for the other errors.
+/// planned grasp (in S) is on the object, if it is grasped. Nothing if all hold. The margins of the
+/// plan (com_margin, min_overhang) are for the other errors.
 std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& object_goal,
-                                         const Eigen::Vector2d& grasp,
+                                         const std::optional<Eigen::Vector2d>& grasp,
                                          const std::vector<Planar>& ends);
 
 }  // namespace graspless::slide

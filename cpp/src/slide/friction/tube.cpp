@@ -235,10 +235,10 @@ Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal) {
 }
 
 std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& object_goal,
-                                         const Eigen::Vector2d& grasp,
+                                         const std::optional<Eigen::Vector2d>& grasp,
                                          const std::vector<Planar>& ends) {
   const auto depth_at = [&](const Planar& X_SO) {
-    return problem.object.outline().depth(X_SO.inverse() * grasp);
+    return grasp ? problem.object.outline().depth(X_SO.inverse() * *grasp) : 0;
   };
   const double least = std::min(0.0, depth_at(object_goal) - kGraspGive);
   for (const Planar& end : ends) {

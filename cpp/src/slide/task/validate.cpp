@@ -72,18 +72,22 @@ void check_obstacles(const Problem& problem) {
                                "a link, another obstacle, 'object' or 'support'");
 }
 
-void check_object_pose(const Problem& problem) {
+/// Requires an object that lies flat on the support at a pose, which is called `field`.
+void check_object_pose(const Problem& problem, const Eigen::Isometry3d& X_WO,
+                       const std::string& field) {
   constexpr double kHeight = 0.002, kTilt = 0.0175;  // [m], [rad]
-  const Eigen::Isometry3d X_SO = problem.support.X_WS().inverse() * problem.X_WO_start;
+  geometry::require_pose(X_WO, field);
+  const Eigen::Isometry3d X_SO = problem.support.X_WS().inverse() * X_WO;
   const double height = X_SO.translation().z();
   const double tilt = std::acos(std::min(1.0, X_SO.linear()(2, 2)));
-  require(std::abs(height) <= kHeight, "X_WO_start: height of the object above the support", height,
+  require(std::abs(height) <= kHeight, field + ": height of the object above the support", height,
           "must be within 2 mm");
-  require(tilt <= kTilt, "X_WO_start: tilt of the object against the support", tilt,
+  require(tilt <= kTilt, field + ": tilt of the object against the support", tilt,
           "must be within 1 degree");
   const Eigen::Vector3d com_S = X_SO * problem.object.com();
   if (!problem.support.polygon().contains(com_S.head<2>())) {
-    throw std::invalid_argument("object '" + problem.object.name() +
+    const std::string where = field == "X_WO_start" ? "" : field + ": ";
+    throw std::invalid_argument(where + "object '" + problem.object.name() +
                                 "' is off the support: its centre of mass (" +
                                 std::to_string(com_S.x()) + ", " + std::to_string(com_S.y()) +
                                 ") in the support's frame lies outside the polygon");
@@ -151,8 +155,8 @@ void validate(const Problem& problem) {
   check_hand_frames(problem);
   check_closing(problem);
   robot::require_configuration(problem.robot, problem.q_home, "q_home");
-  geometry::require_pose(problem.X_WO_start, "X_WO_start");
-  check_object_pose(problem);
+  check_object_pose(problem, problem.X_WO_start, "X_WO_start");
+  if (problem.X_WO_end) check_object_pose(problem, *problem.X_WO_end, "X_WO_end");
   check_obstacles(problem);
 }
 
@@ -170,6 +174,11 @@ void validate(const Problem& problem, const Options& options) {
   check_thickness(problem, options);
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
+  if (problem.X_WO_end && options.search == Search::paper)
+    throw std::invalid_argument(
+        "options.search must be fast for a slide to X_WO_end, not paper: its goals are drawn to "
+        "fit "
+        "a start");
 }
 
 std::string to_string(Status status) { return planning::name_of(status); }

@@ -16,7 +16,7 @@ from ..robots import joint_addresses, lags, set_positions
 from .fingers import PAD, SLIDING, WRIST, wrist_stiffness
 from .judge import Judge
 from .kick import Kick
-from .program import HOLD, RAISE, SQUEEZE, make_program
+from .program import HOLD, RAISE, REST, SQUEEZE, make_program
 from .scene import FINGER_GRASPS, FINGER_SLIDES, Scene, build_scene
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ class Execution:
 
     `control` makes the controller of a time step; by default the fixed program of the plan. `truth`
     is simulated in place of the object and the obstacles of the plan; `standing` is the obstacle on
-    which the object is put.
+    which the object is put, and `later` a slide after that.
     """
 
     def __init__(
@@ -54,9 +54,12 @@ class Execution:
         control: Callable[[float], Controller] | None = None,
         truth: Truth | None = None,
         standing: str | None = None,
+        later: Plan | None = None,
     ) -> None:
         self.plan, self.variation, self.settings = plan, variation, settings
-        self.scene: Scene = build_scene(plan, variation, settings, obstacles, truth, standing)
+        self.scene: Scene = build_scene(
+            plan, variation, settings, obstacles, truth, standing, later
+        )
         model = self.scene.model
         self.data = mujoco.MjData(model)
         self.timestep = float(model.opt.timestep)
@@ -163,16 +166,26 @@ class Execution:
             self._low = float(self.data.xpos[self.scene.model.body("object").id][2])
             if not self.judge.holds(self.data):
                 self.judge.note("not_grasped")
+        elif phase == REST:
+            self._measure_rested()
         elif phase in (RAISE, HOLD):
             self._measure_lift(phase)
             if "lifted" in self.measures:
                 self._measure_rest(phase)
 
+    def _measure_rested(self) -> None:
+        """Looks where the object lies at the end, after the finger has left it."""
+        self._note_off_target(*self._off_goal(self.judge.pose(self.data)))
+
+    def _off_goal(self, X_WO: Matrix) -> tuple[float, float]:
+        """Returns the distance [m] and the angle [rad] of a pose from the goal."""
+        X_OO = np.linalg.inv(self._goal()) @ X_WO
+        angle = float(np.arccos(np.clip((np.trace(X_OO[:3, :3]) - 1) / 2, -1, 1)))
+        return float(np.linalg.norm(X_OO[:3, 3])), angle
+
     def _measure_slide(self) -> None:
         X_WO = self._slid = self.judge.pose(self.data)
-        X_OO = np.linalg.inv(self._goal()) @ X_WO
-        position = float(np.linalg.norm(X_OO[:3, 3]))
-        angle = float(np.arccos(np.clip((np.trace(X_OO[:3, :3]) - 1) / 2, -1, 1)))
+        position, angle = self._off_goal(X_WO)
         forces = self.judge.forces or [0.0]
         self.measures |= {
             "position_error": position,
@@ -181,6 +194,9 @@ class Execution:
             "mean_force": float(np.mean(forces)),
             "max_force": float(np.max(forces)),
         }
+        self._note_off_target(position, angle)
+
+    def _note_off_target(self, position: float, angle: float) -> None:
         nominal, varied = self.settings.off_target, self.settings.off_target_varied
         allowed = nominal if self.variation.is_nominal else varied
         if not (position <= allowed[0] and angle <= allowed[1]):  # nor where it is not a number

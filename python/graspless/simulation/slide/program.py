@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ...timing import Trajectory
     from ..settings import Slide
 
-SQUEEZE, RAISE, HOLD = "squeeze", "raise", "hold"
+SQUEEZE, RAISE, HOLD, REST = "squeeze", "raise", "hold", "rest"
 _WAYPOINTS = 21  # of the straight lift
 _JUMP = 0.3  # a joint that moves by more between them has left its branch [rad or m]
 _TURNS = (0.0, 0.05, -0.05, 0.1, -0.1)  # of the hand between them, tried in turn [rad]
@@ -89,7 +89,7 @@ class Program:
     phase : array [N]
         Which of `names`.
     names : list of str
-        The plan's segments, then squeeze, raise and hold.
+        The plan's segments, then squeeze, raise and hold; or rest, if the object is left.
     raised : float
         How high the arm can lift straight up [m].
     X_WO_goal : array [4, 4]
@@ -123,6 +123,23 @@ class Program:
 
 def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: Slide) -> Program:
     """Returns the whole execution of a plan at even steps [s]."""
+    parts = motions(trajectory, timestep, settings)
+    if parts[-1][0] == "lift":  # the object is left where it is
+        return _program(
+            [*parts, rest(parts[-1][1], timestep, settings)], 0.0, plan.X_WO_goal, timestep
+        )
+    added, raised = additions(plan, trajectory.positions[-1], timestep, settings)
+    return _program([*parts, *added], raised, plan.X_WO_goal, timestep)
+
+
+def rest(after: Matrix, timestep: float, settings: Slide) -> tuple[str, Matrix]:
+    """Returns rows that stay where others end, with the name of their phase."""
+    still = max(1, round(settings.hold_seconds / timestep))
+    return REST, np.repeat(after[-1:], still, axis=0)
+
+
+def motions(trajectory: Trajectory, timestep: float, settings: Slide) -> list[tuple[str, Matrix]]:
+    """Returns the segments of a plan as rows by name, with the pauses of the executor."""
     parts: list[tuple[str, Matrix]] = []
     still = max(1, round(settings.pause / timestep))
     for i, segment in enumerate(trajectory.segments):
@@ -130,8 +147,7 @@ def make_program(plan: Plan, trajectory: Trajectory, timestep: float, settings: 
         if segment.name in ("press", "slide"):
             values = np.concatenate([values, np.repeat(values[-1:], still, axis=0)])
         parts.append((segment.name, values))
-    added, raised = additions(plan, trajectory.positions[-1], timestep, settings)
-    return _program([*parts, *added], raised, plan.X_WO_goal, timestep)
+    return parts
 
 
 def make_end(plan: Plan, q: Matrix, timestep: float, settings: Slide) -> Program:

@@ -65,11 +65,12 @@ def build_scene(
     obstacles: Sequence[Any] | None = None,
     truth: Truth | None = None,
     standing: str | None = None,
+    later: Plan | None = None,
 ) -> Scene:
     """Makes the varied model of the task of a plan.
 
     `obstacles` replace those of the task, and `truth` its object and them, except the obstacle
-    `standing`, which the object may touch as it touches the table.
+    `standing`, which the object may touch as it touches the table. `later` is another slide of it.
     """
     settings = settings or Slide()
     problem = plan.task.problem
@@ -81,7 +82,7 @@ def build_scene(
     hand = varied_hand(problem, variation)
     add_fingers(spec, problem.robot, hand, settings, {SLIDING: FINGER_SLIDES, OTHER: FINGER_GRASPS})
     X_WO = varied_start(problem, variation)
-    _add_table(spec, plan, variation.table, settings)
+    _add_table(spec, plan, variation.table, settings, later)
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         what = TABLE if obstacle.name == standing else OBSTACLE
         if truth is None or what == TABLE:
@@ -115,23 +116,24 @@ def varied_hand(problem: Any, variation: Variation) -> slide.Hand:
     return hand
 
 
-def _add_table(spec: Any, plan: Plan, height: float, settings: Slide) -> None:
+def _add_table(spec: Any, plan: Plan, height: float, settings: Slide, later: Plan | None) -> None:
     support = plan.task.problem.support
     X_WS = support.X_WS @ frames.translation([0.0, 0.0, height])
     body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
-    for i, p in enumerate(_edge_points(plan, settings)):
+    for i, p in enumerate(_edge_points(plan, settings, later)):
         _add_foot(body, f"{EDGE}{i}", [*p, -settings.foot_radius], settings)
 
 
-def _edge_points(plan: Plan, settings: Slide) -> Matrix:
+def _edge_points(plan: Plan, settings: Slide, later: Plan | None) -> Matrix:
     """Returns points [N, 2] in S along the outline of the table, where the object may come."""
     problem = plan.task.problem
     points = points_along(problem.support.polygon, settings.rim_spacing)
     reach = np.linalg.norm(np.array(problem.object.outline.vertices), axis=1).max() + 0.02
     X_SW = np.linalg.inv(problem.support.X_WS)
-    poses = np.concatenate([segment.object_poses for segment in plan.segments])
+    segments = [*plan.segments, *([] if later is None else later.segments)]
+    poses = np.concatenate([segment.object_poses for segment in segments])
     centers = np.unique((poses[:, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2].round(3), axis=0)
     nearest = np.linalg.norm(points[:, None] - centers[None], axis=2).min(axis=1)
     near: Matrix = points[nearest < reach]

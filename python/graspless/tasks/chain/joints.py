@@ -24,29 +24,33 @@ def require_held(stages: Sequence[tuple[str, str, Source]]) -> None:
     ----------
     stages : sequence of (name, kind, source)
     """
-    held, last, let_go = False, "", ""
+    held, last, put, left = False, "", "", ""
     for name, kind, source in stages:
-        if kind == "carry" and not held:
+        leaves = kind == "slide" and source.data.get("end") is not None
+        what = ""
+        if put and not leaves:
+            what = f"'{put}' puts the object down: only a slide with an `end` can follow"
+        elif kind == "carry" and not held:
             after = f" after '{last}'" if last else ""
             what = f"nothing is held{after}: a slide, a pinch or a clasp comes first"
-            raise source.error(("kind",), what)
-        if kind != "carry" and held:
+        elif kind != "carry" and held:
             what = f"the hand holds the object after '{last}': only a carry can follow"
+        elif left and kind not in ON_SUPPORT:
+            what = f"'{left}' leaves the object on its support: only a slide or a pinch can follow"
+        if what:
             raise source.error(("kind",), what)
-        if let_go:
-            what = f"'{let_go}' puts the object down: no stage can follow"
-            raise source.error(("kind",), what)
-        held, last = kind in HOLDING, name
-        let_go = name if source.data.get("place") is not None else ""
+        put = name if source.data.get("place") is not None else ""
+        left = name if leaves else ""
+        held, last = kind in HOLDING and not put and not left, name
 
 
 def require_joined(stages: Sequence[Stage]) -> None:
     """Raises TaskError that names the stage and the field which cannot follow the one before it."""
     require_held([(stage.name, stage.kind, stage.source) for stage in stages])
-    for before, stage in pairwise(stages):
-        if stage.kind != "carry":
-            _require_same_robot(before, stage)
-            _require_same_object(before, stage)
+    own = [stage for stage in stages if stage.kind != "carry"]  # a carry has what it is given
+    for before, stage in pairwise(own):
+        _require_same_robot(before, stage)
+        _require_same_object(before, stage)
 
 
 def _require_same_robot(before: Stage, stage: Stage) -> None:
@@ -71,7 +75,11 @@ def _require_same_object(before: Stage, stage: Stage) -> None:
     if old.name != new.name:
         what = f"'{before.name}', the stage before it, has '{old.name}'"
         raise stage.source.error(("object", "name"), what)
-    if before.kind == stage.kind and _shape(old) != _shape(new):
+    if before.kind == "clasp":
+        what = f"must be an outline, but '{before.name}', before it, clasps a cloud"
+        raise stage.source.error(("object",), what)
+    are_outlines = before.kind in ON_SUPPORT and stage.kind in ON_SUPPORT
+    if (before.kind == stage.kind or are_outlines) and _shape(old) != _shape(new):
         what = f"should be that of '{before.name}', the stage before it"
         raise stage.source.error(("object",), what)
 

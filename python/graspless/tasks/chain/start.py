@@ -13,12 +13,13 @@ import numpy as np
 from ... import frames
 from ..carry.model import Object
 from ..robots import robot_meshes
-from ..shapes import Pose
+from ..scenes import planar_pose
+from ..shapes import PlanarPose, Pose
 from ..slide.build import outline
 from ..slide.resolve import support_pose
 from ..source import at
 from .joints import ON_SUPPORT
-from .lying import lying
+from .lying import SAME, lying
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -130,15 +131,25 @@ def _robot(fields: Any, state: State) -> dict[str, Any]:
 
 
 def _slide(fields: Any, state: State) -> dict[str, Any]:
-    """Places the outline at the pose of the object. Each planner has its own frame for it."""
+    """Places the outline at the pose of the object. Fingertips have another frame for it."""
     thing = fields.object
-    assert state.corners is not None  # only fingertips let go of what they move
+    if state.corners is None:
+        return {"object": thing.model_copy(update={"pose": _flat(fields, state.X_WO)})}
     if thing.cloud is not None or thing.points is not None:
         raise ValueError("an outline is needed to find where it lies")
     X_SW = np.linalg.inv(support_pose(fields.support))
     corners_S = state.corners @ X_SW[:3, :3].T + X_SW[:3, 3]
     pose = lying(corners_S, thing.scale * outline(thing), thing.thickness)
     return {"object": thing.model_copy(update={"pose": pose})}
+
+
+def _flat(fields: Any, X_WO: Matrix) -> PlanarPose:
+    """Returns the pose of an object that lies on the support of a slide or a pinch."""
+    X_WS = support_pose(fields.support)
+    X_SO = np.linalg.inv(X_WS) @ X_WO
+    if abs(X_SO[2, 3]) > SAME or np.linalg.norm(X_SO[:2, 2]) > SAME:
+        raise ValueError(f"does not lie flat on the support: {1000 * X_SO[2, 3]:.1f} mm over it")
+    return PlanarPose(**planar_pose(X_WS, X_WO))
 
 
 def _clasp(fields: Any, state: State) -> dict[str, Any]:

@@ -62,8 +62,7 @@ def in_force(fields: SlideTask, problem: slide.Problem, options: slide.Options) 
 def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
     """Returns the task file of a problem, without options and budget."""
     thing, support = problem.object, problem.support
-    X_SO = np.linalg.inv(support.X_WS) @ problem.X_WO_start
-    pose = {"x": X_SO[0, 3], "y": X_SO[1, 3], "yaw": np.arctan2(X_SO[1, 0], X_SO[0, 0])}
+    end = problem.X_WO_end
     return {
         "robot": robot_fields(problem.robot, problem.q_home),
         "hand": struct_fields(problem.hand, list(CoreHand.model_fields)),
@@ -72,8 +71,9 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
             **_outline(thing),
             **_heights(thing),
             **({"hollow": True} if thing.is_hollow else {}),
-            "pose": {name: float(value) for name, value in pose.items()},
+            "pose": _planar(support, problem.X_WO_start),
         },
+        **({} if end is None else {"end": _planar(support, end)}),
         "support": {
             "polygon": plain(support.polygon.vertices),
             "pose": pose_fields(support.X_WS),
@@ -83,6 +83,13 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
         },
         "obstacles": obstacle_fields(problem.obstacles),
     }
+
+
+def _planar(support: slide.Support, X_WO: Any) -> dict[str, float]:
+    """Returns a pose of the object [4, 4] as it lies on the support."""
+    X_SO = np.linalg.inv(support.X_WS) @ X_WO
+    yaw = np.arctan2(X_SO[1, 0], X_SO[0, 0])
+    return {"x": float(X_SO[0, 3]), "y": float(X_SO[1, 3]), "yaw": float(yaw)}
 
 
 def _usable_edges(support: slide.Support) -> dict[str, Any]:

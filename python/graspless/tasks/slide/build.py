@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from ..source import Source
 
 
+_LOCATIONS = {"q_home": ("robot", "home"), "X_WO_end": ("end",)}
+
 ProblemT = TypeVar("ProblemT", bound=slide.Problem)
 
 
@@ -47,6 +49,7 @@ def build(
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
+    end = task.end if isinstance(task, model.SlideTask) else None
     problem = problem_type(
         robot,
         hand,
@@ -55,6 +58,7 @@ def build(
         X_WS @ frames.planar(pose.x, pose.y, pose.yaw),
         build_home(task.robot, robot, source, others=hand.open),
         build_obstacles(task.obstacles, source),
+        None if end is None else X_WS @ frames.planar(end.x, end.y, end.yaw),
     )
     try:
         slide.validate(problem)
@@ -65,9 +69,10 @@ def build(
             given = f"'{getattr(hand, field, '')}'"  # which the message names before the text
             what = what.removeprefix(given).removeprefix(":").lstrip()
             raise hand_source.error((*place, field), what) from None
-        at_home = str(error).startswith("q_home")
-        location = ("robot", "home") if at_home else ("object", "pose")
-        raise source.error(location, str(error).removeprefix("q_home: ")) from None
+        for name, location in _LOCATIONS.items():
+            if str(error).startswith(name):
+                raise source.error(location, str(error).removeprefix(f"{name}: ")) from None
+        raise source.error(("object", "pose"), str(error)) from None
     return problem
 
 

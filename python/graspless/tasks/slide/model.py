@@ -246,4 +246,9 @@ class SlideTask(OnSupport):
     """A task for the sliding planner."""
 
     kind: Literal["slide"]
+    end: PlanarPose | None = Field(
+        default=None,
+        description="pose of the object on the support, in S, at which it is left: the finger "
+        "lifts off there. By default the hand grasps it over an edge",
+    )
     options: Options = Options.model_construct()

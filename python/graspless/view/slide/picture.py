@@ -59,7 +59,9 @@ def _headline(plan: Plan) -> str:
         return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
-    return f"{robot} slides the {name} {distance * 100:.0f} cm to the edge and grasps it there"
+    moved = f"{robot} slides the {name} {distance * 100:.0f} cm"
+    is_left = plan.task.problem.X_WO_end is not None
+    return f"{moved} and leaves it there" if is_left else f"{moved} to the edge and grasps it there"
 
 
 def _draw_key(figure: Any, shown: Film) -> None:
@@ -79,7 +81,12 @@ def _draw_key(figure: Any, shown: Film) -> None:
     if not shown.plan:
         for name in ("in between", "at the end"):
             del handles[f"object {name}"]
-        del handles["fingertip"], handles["edge for the grasp, overhang"]
+        del handles["fingertip"]
+    is_left = shown.plan.task.problem.X_WO_end is not None
+    if is_left:
+        del handles["goal band of the fingertip"]
+    if is_left or not shown.plan:
+        del handles["edge for the grasp, overhang"]
     if not shown.plan.task.fields.obstacles:
         del handles["obstacle"]
     figure.legend(
@@ -95,8 +102,10 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     X_SW = np.linalg.inv(np.asarray(support.X_WS))
     table = np.asarray(support.polygon.vertices)
     axes.set_aspect("equal")
-    _fill(axes, table, facecolor=BAND, edgecolor=INK, linewidth=1.6, zorder=1)
-    for core in getattr(support.goal_band, "core", []):
+    is_left = task.problem.X_WO_end is not None
+    color = TABLE if is_left else BAND
+    _fill(axes, table, facecolor=color, edgecolor=INK, linewidth=1.6, zorder=1)
+    for core in [] if is_left else getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
         _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
     rings: dict[str, Matrix] = {}
@@ -119,7 +128,7 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     axes.plot(*com[-1], "o", ms=9, mfc="w", mec=INK, zorder=7)
     axes.plot(*com[-1], "+", ms=9, color=INK, zorder=8)
     _draw_trail(axes, shown, X_SW)
-    if shown.plan:
+    if shown.plan and not is_left:
         _draw_overhang(axes, shown, outline, poses[-1])
     base = X_SW @ np.append(shown.link_poses[0, 0, :3, 3], 1)
     axes.plot(*base[:2], "s", ms=11, color="#9aa0a6", mec=INK, zorder=3)

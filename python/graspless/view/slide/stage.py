@@ -29,7 +29,10 @@ MOMENTS = {
 
 def moments(shown: Film) -> list[tuple[int, str]]:
     """Returns rows to draw the robot at, with captions."""
-    found = [(name, caption) for name, caption in MOMENTS.items() if name in shown.names]
+    captions = MOMENTS
+    if shown.plan.task.problem.X_WO_end is not None:
+        captions = {"press": "press", "slide": "slide to the place", "lift": "lift off"}
+    found = [(name, caption) for name, caption in captions.items() if name in shown.names]
     rows = [
         (int(shown.rows(name)[-1]), f"{k}  {caption}")
         for k, (name, caption) in enumerate(found, start=1)

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Program of the servos for what follows a slide or a pinch: carries, and a slide after them."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import timing
+from .settings import Slide
+from .slide.program import HOLD, RAISE, SQUEEZE, Program, motions, rest, stretch
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .._plan import Plan as AnyPlan
+    from ..frames import Matrix
+
+OPEN, RETREAT = "open", "retreat"
+
+
+def with_carries(
+    program: Program,
+    carries: Sequence[AnyPlan],
+    timestep: float,
+    later: Any = None,
+    settings: Slide | None = None,
+) -> Program:
+    """Returns the program of a slide with its lift replaced by the motions of carries.
+
+    Parameters
+    ----------
+    program : Program
+    carries : list of plans
+        Plans of kind carry.
+    timestep : float
+        Time step [s].
+    later : slide.Plan, optional
+        Slide of the object from where it was put down.
+    settings : Slide, optional
+        Pauses of that slide.
+    """
+    settings = settings or Slide()
+    begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
+    names, moved = _motions(carries, timestep)
+    carried = [values for name, values in zip(names, moved, strict=True) if name == RAISE]
+    squeeze = program.positions[begin - 1] - carried[0][0]
+    raised = np.concatenate(carried) + squeeze
+    still = int(np.count_nonzero(program.phase == hold))
+    parts = [(RAISE, raised), (HOLD, np.repeat(raised[-1:], still, axis=0))]
+    for name, values in zip(names, moved, strict=True):
+        if name == OPEN:  # the squeeze goes, too
+            left = np.linspace(1, 0, len(values))[:, None]
+            parts.append((OPEN, values + left * squeeze))
+        elif name == RETREAT:
+            parts.append((RETREAT, values))
+            if later is not None:
+                parts += motions(timing.time(later), timestep, settings)
+            parts.append(rest(parts[-1][1], timestep, settings))
+    names = list(dict.fromkeys([*program.names, *(name for name, _ in parts)]))
+    positions = np.concatenate([program.positions[:begin], *(values for _, values in parts)])
+    phases = [np.full(len(values), names.index(name)) for name, values in parts]
+    return dataclasses.replace(
+        program,
+        positions=positions,
+        velocities=np.gradient(positions, timestep, axis=0),
+        phase=np.concatenate([program.phase[:begin], *phases]),
+        names=names,
+    )
+
+
+def _motions(carries: Sequence[AnyPlan], timestep: float) -> tuple[list[str], list[Matrix]]:
+    """Returns the motions of carries at even times, each with the name of its phase."""
+    names, moved = [], []
+    for stage in carries:
+        trajectory = timing.time(stage)
+        for i, segment in enumerate(trajectory.segments):
+            names.append(segment.name if segment.name in (OPEN, RETREAT) else RAISE)
+            moved.append(stretch(trajectory, i, timestep))
+    return names, moved
