@@ -280,3 +280,21 @@ def test_an_unwritable_directory_is_told_before_work(tmp_path, capsys):
 def test_a_dash_stands_for_never():
     assert tables.milliseconds(None) == "–"
     assert [tables.milliseconds(x) for x in (0.4123, 12.34, 1234.5)] == ["0.412", "12.3", "1234"]
+
+
+@pytest.mark.parametrize(
+    ("table", "thing", "index"),
+    [
+        ("round", "irregular", 1752),  # its grasp, drawn for a pose, is of another tie
+        ("square", "irregular", 3112),
+        ("round", "irregular", 3690),  # the centre of what sticks out is on the outline
+        ("square", "triangle", 3841),  # the arm bends sideways just above the object
+    ],
+)
+def test_rare_plans_pass_their_check(table, thing, index):
+    """The four of 100,000 plans of the frozen grid that did not."""
+    trial = grid.Trial(grid.Start(table, thing, 1.0, index, 7))
+    problem, options = trial.make_problem(), trial.make_options()
+    plan = slide.plan(problem, options, trial.make_budget(10))
+    assert plan
+    assert slide.check(problem, plan, options) == []

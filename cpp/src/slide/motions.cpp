@@ -82,7 +82,7 @@ bool Motions::is_graspable(const Planar& object_S, const Placement& place) {
   auto grasps = grasp_configurations(place, 1);
   if (grasps.empty()) return false;
   if (drawn_.size() == kRemembered) drawn_.erase(drawn_.begin());
-  drawn_.push_back({object_S, std::move(grasps)});
+  drawn_.push_back({object_S, place.out_center, std::move(grasps)});
   return true;
 }
 
@@ -127,8 +127,7 @@ std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Pla
   append_rise(query_, Eigen::Isometry3d(poses.back()), query_.options.lift_height, poses);
   auto path =
       hand_.track(query_.tip_ik, pressed, poses, query_.contact.scene_with_object_at(object_S));
-  if (path && !stands_still(Path(path->begin(), path->begin() + press_steps + 1), contact))
-    return std::nullopt;
+  if (path && !stands_still(*path, press_steps, contact)) return std::nullopt;
   return path;
 }
 
@@ -142,16 +141,26 @@ std::optional<Path> Motions::rise_from(const Eigen::VectorXd& start, const Plana
   return hand_.track(query_.tip_ik, start, poses, query_.contact.scene_with_object_at(object_S));
 }
 
-/// True if position and heading of the effective contact stay the same, also halfway between
-/// waypoints.
-bool Motions::stands_still(const Path& press, const Planar& contact) {
+/// True if position and heading of the effective contact stay the same along the first `steps` of a
+/// lift, also halfway between waypoints, and just above, where check() still calls it a contact.
+bool Motions::stands_still(const Path& lift, int steps, const Planar& contact) {
   constexpr double kTurn = 8e-4;  // [rad]
-  for (std::size_t i = 1; i < press.size(); ++i) {
-    const Eigen::VectorXd middle = (press[i - 1] + press[i]) / 2;
-    const Planar now = query_.contact.effective_tip_at(middle);
-    if ((now.translation() - contact.translation()).norm() > kStill) return false;
-    if ((now.linear() - contact.linear()).col(0).norm() > kTurn) return false;
-    if (std::abs(query_.contact.tip_at(middle).roll) > 0.9 * kRollTolerance) return false;
+  const auto is_still = [&](const Eigen::VectorXd& arm) {
+    const Planar now = query_.contact.effective_tip_at(arm);
+    return (now.translation() - contact.translation()).norm() <= kStill &&
+           (now.linear() - contact.linear()).col(0).norm() <= kTurn &&
+           std::abs(query_.contact.tip_at(arm).roll) <= 0.9 * kRollTolerance;
+  };
+  const auto top = static_cast<std::size_t>(steps);
+  for (std::size_t i = 1; i <= top; ++i) {
+    if (!is_still((lift[i - 1] + lift[i]) / 2)) return false;
+  }
+  if (top + 1 >= lift.size()) return true;
+  constexpr int kSamples = 20;
+  for (int k = 1; k <= kSamples; ++k) {
+    const Eigen::VectorXd arm = lift[top] + (lift[top + 1] - lift[top]) * k / kSamples;
+    if (query_.contact.tip_at(arm).height > query_.top + kHeightTolerance) break;
+    if (!is_still(arm)) return false;
   }
   return true;
 }
@@ -167,6 +176,8 @@ bool Motions::find_reach(Handling& handling) {
   auto candidates = grasp_configurations(handling.placement, kGraspCandidates);
   for (const Drawn& drawn : drawn_) {
     if (!drawn.object_S.isApprox(handling.object_goal, 1e-9)) continue;
+    // At a tie, rounding decides which part of the object is grasped.
+    if (!drawn.out_center.isApprox(handling.placement.out_center, 1e-9)) continue;
     candidates.insert(candidates.end(), drawn.grasps.begin(), drawn.grasps.end());
   }
   if (candidates.empty()) {

@@ -72,7 +72,7 @@ class GRASPLESS_API Motions {
   const std::optional<Approach>& approach_to(const Eigen::VectorXd& start);
   std::optional<Approach> find_approach(const Eigen::VectorXd& start, int iterations);
   int search_iterations() const;
-  bool stands_still(const planning::Path& press, const Planar& contact);
+  bool stands_still(const planning::Path& lift, int steps, const Planar& contact);
   std::vector<GraspConfiguration> grasp_configurations(const Placement& placement,
                                                        std::size_t enough);
   void refuse_grasp(const std::optional<std::pair<int, int>>& touching, const Eigen::VectorXd& q);
@@ -89,6 +89,7 @@ class GRASPLESS_API Motions {
   HandMotion hand_;
   struct Drawn {
     Planar object_S = Planar::Identity();
+    Eigen::Vector2d out_center = Eigen::Vector2d::Zero();  // of its placement
     std::vector<GraspConfiguration> grasps;
   };
 

@@ -32,6 +32,8 @@ geometry::Polygon::Edge draw_edge(const Support& support, std::mt19937_64& rng) 
 // Points at most this many spacings apart belong to one part. A position is on the object if a
 // point is within half that distance. Neighbours on the diagonal of a grid are 1.4 spacings apart.
 constexpr double kLink = 2.5;
+constexpr double kTie =
+    1e-9;  // centres often lie on the outline, or as far from several points [m]
 
 Eigen::Vector2d center_of(const Points& points) {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
@@ -49,8 +51,8 @@ Eigen::Vector2d nearest(const Points& points, const Eigen::Vector2d& to) {
 /// no hole; its points have.
 bool is_on_object(const Object& object, const Planar& object_S, const Points& part,
                   const Eigen::Vector2d& p) {
-  return (nearest(part, p) - p).norm() <= kLink / 2 * object.spacing() &&
-         object.outline().contains(object_S.inverse() * p);
+  return (nearest(part, p) - p).norm() <= kLink / 2 * object.spacing() + kTie &&
+         object.outline().depth(object_S.inverse() * p) > kTie;
 }
 
 /// Removes from `points` those that are linked with the first by steps of at most `link` [m], and
