@@ -17,11 +17,12 @@ import yaml
 import graspless
 from graspless import _data, frames, geometry, slide
 from graspless.errors import TaskError
-from graspless.simulation.settings import Slide
+from graspless.simulation.robots import apply
+from graspless.simulation.settings import Slide, Solver
 from graspless.simulation.slide import FAILURES, MEASURES
 from graspless.simulation.slide.conditions import CONDITIONS, draw
 from graspless.simulation.slide.execution import Execution, overhang
-from graspless.simulation.slide.fingers import PAD
+from graspless.simulation.slide.fingers import PAD, rub
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.program import make_program, straight_lift
 from graspless.simulation.slide.scene import HAND, OBJECT, build_scene
@@ -492,3 +493,28 @@ def test_an_object_with_heights_is_as_high_as_these(plan, factor):
         assert len(tops) == (height > 0)
         if tops:
             assert -1e-9 <= tops[0] / factor - height <= 5e-4 + 1e-9
+
+
+@pytest.mark.parametrize(("force", "most"), [(8.0, 0.0006), (250.0, 0.002)])
+def test_fingers_do_not_sink_into_a_light_object_that_they_press(plan, force, most):
+    """Where they do, contacts turn to other faces, and a strong hand loses what it pinches."""
+    settings = Slide()
+    spec = mujoco.MjSpec()
+    apply(spec, dataclasses.replace(Solver(), impratio=settings.impratio))
+    spec.option.gravity = [0, 0, 0]
+    for side in (-1, 1):
+        inertia = {"mass": 0.2, "inertia": [1e-4] * 3, "explicitinertial": True}
+        body = spec.worldbody.add_body(pos=[0.02 * side, 0, 0], **inertia)
+        slides = mujoco.mjtJoint.mjJNT_SLIDE
+        body.add_joint(type=slides, axis=[-side, 0, 0], damping=[20, 0, 0], armature=1.0)
+        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=[0.01, 0.01, 0.01])
+        geom.condim, geom.priority = 6, 1
+        rub(geom, plan.task.problem.hand, settings)
+    spoon = spec.worldbody.add_body(mass=0.04, inertia=[1e-5] * 3, explicitinertial=True)
+    spoon.add_freejoint()
+    spoon.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=[0.01, 0.05, 0.007])
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    data.qfrc_applied[:2] = force
+    mujoco.mj_step(model, data, nstep=500)
+    assert 0 < -data.contact.dist.min() < most

@@ -191,6 +191,9 @@ class Slide:
     wrist_damping_ratio: float = 1.0  # of an arm under impedance control; a choice
     wrist_mass: float = 1.5  # that its damping is meant for: a hand and a last link [kg]; a choice
     guarded_stiffness: float = 2000.0  # of an arm that holds a force, across it [N/m]; a choice
+    grip_solimp: tuple[float, float, float] = (0.9, 0.998, 0.002)  # of fingers that close: as soft
+    # as MuJoCo's default up to 1 mm, and hard at 2 mm. With the default, a Robotiq's 250 N pressed
+    # each pad 4 mm into a spoon, and its contacts turned from the faces between the pads to the top
     pad_points: int = 5  # of the line contact, for the torsion of an even pressure along it
     pad_softness: float = 0.008  # half length of the contact patch of a closed pad [m]: the moment
     # that a soft pad withstands is its force times this

@@ -66,7 +66,7 @@ def add_fingers(
         for geom in flex.geoms:
             geom.contype, geom.conaffinity = bits[name].contype, bits[name].conaffinity
             geom.condim, geom.priority = 6, 1
-            _rub(geom, hand, settings)
+            rub(geom, hand, settings)
         _exclude_as(spec, robot, link, name)
     _add_pad(spec.body(SLIDING), hand, settings)
 
@@ -159,11 +159,12 @@ def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:
             spec.add_exclude(bodyname1=name, bodyname2=names[other])
 
 
-def _rub(geom: Any, hand: slide.Hand, settings: Slide) -> None:
+def rub(geom: Any, hand: slide.Hand, settings: Slide) -> None:
     """Adds a soft pad, whose patch withstands moments about the normal and across it."""
     mu, a = hand.pad_friction, settings.pad_softness
     geom.friction = [mu, 2 / 3 * mu * a, a]
     geom.solref = [settings.tip_solref, 1.0]
+    geom.solimp = [*settings.grip_solimp, 0.5, 2.0]
 
 
 def _add_pad(flex: Any, hand: slide.Hand, settings: Slide) -> None:
