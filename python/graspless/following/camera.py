@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from .estimate import Estimate
     from .hand import Hand
 
-TILT = 0.35  # of an object beyond which it does not lie on its support [rad]
-HEIGHT = 0.02  # above or below its support, the same [m]
+TILT = 0.35  # of an object beyond which it does not lie on its support [rad], unless it is narrow
+HEIGHT = 0.02  # above or below its support, the same; and of what a roll of it lifts [m]
 OUTSIDE = 0.02  # of its centre of mass beyond the support's edge, the same [m]
 _ORTHOGONAL = 1e-3  # tolerance of a rotation
 
@@ -27,6 +27,7 @@ class Camera:
         self._hand = hand
         self._polygon = problem.support.polygon
         self._com = np.append(problem.object.com, 1.0)
+        self._outline = np.array(problem.object.outline.vertices)
         self._newest = -np.inf
         self.used = 0  # poses since the last forget()
         self.last = -np.inf  # time at which a pose was used last
@@ -68,11 +69,19 @@ class Camera:
         return verdict
 
     def _off(self, X_SO: Matrix) -> str:
-        if X_SO[2, 2] < np.cos(TILT):
+        if self._is_tipped(X_SO):
             return "tilted"
         outside = -float(self._polygon.depth((X_SO @ self._com)[:2]))
         far = abs(float(X_SO[2, 3])) > HEIGHT or outside > OUTSIDE
         return "off_support" if far else ""
+
+    def _is_tipped(self, X_SO: Matrix) -> bool:
+        """Returns True if the object is tilted so far that it is about to fall, or has fallen.
+
+        A handle may roll on the spot under the finger, and lies flat again when that leaves it.
+        """
+        lifted = float(np.ptp(self._outline @ X_SO[2, :2]))
+        return bool(X_SO[2, 2] < np.cos(TILT) and not (X_SO[2, 2] > 0 and lifted <= HEIGHT))
 
     def _flat(self, R: Matrix) -> Matrix | None:
         """Returns the covariance of x, y, yaw and height in S of one in the world."""

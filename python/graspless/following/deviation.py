@@ -20,6 +20,8 @@ IN_CONTACT = ("slide",)  # the hand moves the object
 _PAUSE = 0.05  # between segments [s]
 _IN_VAIN = 0.8  # of the largest turn
 _BACK = 1e-4, 1e-3  # of the plan's own path, where the hand counts as on it [m, rad]
+_TRIED = 0.05  # turn of the hand after which it is known how far the object follows [rad]
+_FOLLOWS = 0.3  # part of it that an object has to follow at least
 ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object
 
 
@@ -130,15 +132,29 @@ class Deviation:
         turn = plane.difference(self.course.place(), self.commanded)[2]
         return bool(np.sign(self.error[2]) * turn > _IN_VAIN * settings.shift_angle)
 
-    def has_settled(self, still: float, is_blind: bool, settings: Settings) -> bool:
+    def is_stuck(self, before: tuple[float, float]) -> bool:
+        """Returns True if the object has hardly followed the turn of the hand since `before`.
+
+        These were the turn of the hand and the error of the object [rad]. A pad that turns on and
+        on rolls a narrow handle over.
+        """
+        turned = abs(float(self.motion[2]) - before[0])
+        followed = abs(before[1]) - abs(float(self.error[2]))
+        return self.course.name in IN_CONTACT and turned > _TRIED and followed < _FOLLOWS * turned
+
+    def has_settled(
+        self, still: float, is_blind: bool, settings: Settings, is_stuck: bool = False
+    ) -> bool:
         """Returns True if the next segment may begin, `still` seconds after the end of this one.
 
-        After the slide the object has to be near its goal, unless there are no poses.
+        After the slide the object has to be near its goal, unless there are no poses, or it does
+        not turn with the hand.
         """
         if self.course.name == "press":
             return still >= settings.settle_seconds
         if self.course.name != "slide":
             return still >= _PAUSE
         off, turn = np.hypot(*self.error[:2]), abs(self.error[2])
-        near = is_blind or (off < settings.settled and turn < settings.settled_angle)
+        is_turned = is_stuck or turn < settings.settled_angle
+        near = is_blind or (off < settings.settled and is_turned)
         return bool((still >= settings.settle_seconds and near) or still >= settings.settle_most)

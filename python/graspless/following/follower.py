@@ -97,6 +97,8 @@ class Follower:
         self._camera = Camera(problem, self._hand)
         self._t = self._looked = self._planned = -np.inf
         self._still = 0.0  # time since the segment ended
+        self._at_end = 0.0, 0.0  # turn of the hand and error of the object then [rad]
+        self._is_stuck = False  # the object has not followed the turn of the hand since
         self._stopped = ""
         self._reason = ""
         self._is_looking = True
@@ -180,6 +182,8 @@ class Follower:
         self._brake_before_contact()
         halted = bool(waits or self._stopped or self._restart or self._is_braking)
         step = _NO_STEP if halted or self._is_blocked else self._step()
+        if self._is_stuck:
+            step = step[0] * [1.0, 1.0, 0.0], step[1]
         halted = halted or (self._goes_back and not self._deviation.is_back)
         before = self._deviation.commanded
         self._correction.move(seconds, self._deviation.pivot, *step)
@@ -194,12 +198,20 @@ class Follower:
         elif self._restart and self._motion.rests:
             self._begin_anew()
         elif self._course.has_ended and not halted:
-            self._still += seconds
+            self._settle(seconds)
             is_blind, settings = not self._camera.used, self.settings
             if self._still < self._motion.window:
                 return
-            if self._deviation.has_settled(self._still, is_blind, settings):
+            if self._deviation.has_settled(self._still, is_blind, settings, self._is_stuck):
                 self._end()
+
+    def _settle(self, seconds: float) -> None:
+        """Counts the time since the segment ended, and notes an object that does not turn."""
+        deviation = self._deviation
+        if self._still == 0:
+            self._at_end = float(deviation.motion[2]), float(deviation.error[2])
+        self._still += seconds
+        self._is_stuck = self._is_stuck or deviation.is_stuck(self._at_end)
 
     def _brake_before_contact(self) -> None:
         """Ends the motion if its shifted path touches anything before it could come to rest."""
@@ -218,7 +230,7 @@ class Follower:
         self._is_blocked = True
         if self._course.name in IN_CONTACT:
             self._is_braking, self._reason = True, reason
-        elif self._course.name in _PLANNED_ANEW:
+        elif self._course.name in (*_PLANNED_ANEW, GRASP):
             self._restart = self._restart or reason
         else:
             self._stop(reason)
@@ -290,7 +302,8 @@ class Follower:
         self._take(self.plan.segments[index], q, velocity)
 
     def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
-        self._still, self._is_blocked, self._goes_back = 0.0, False, False
+        self._still, self._is_blocked = 0.0, False
+        self._is_stuck = self._goes_back = False
         self._replanner.forget()
         self._motion.take(segment, q, velocity)
 
