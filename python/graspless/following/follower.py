@@ -10,14 +10,9 @@ import numpy as np
 
 from ..errors import TaskError
 from ..plan_files import as_plan
-from .camera import Camera
-from .course import goes_on, limits_of
-from .deviation import IN_CONTACT, Deviation
-from .estimate import Estimate
-from .guard import Guard
-from .hand import Hand
-from .motion import Motion
-from .replan import Replanner
+from .course import limits_of
+from .deviation import IN_CONTACT
+from .pursuit import ELSEWHERE, HOPELESS, RETREAT, Pursuit
 from .settings import Settings, Target
 from .watch import Watch, is_time
 
@@ -27,19 +22,15 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Plan
     from ..timing.settings import PerJoint
-    from .correction import Correction
-    from .course import Course
 
-RETREAT, GRASP = "retreat", "grasp"
+GRASP = "grasp"
 _LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
 _FALLEN = 5  # successive poses off the support after which the object has fallen
 _PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
 _NO_STEP = np.zeros(3), 0.0
-_HOPELESS = 2.0  # times what is corrected in place: where a slide does not go on without new plan
-_ELSEWHERE = "the object is not where the plan has it"
 
 
-class Follower:
+class Follower(Pursuit):
     """Follows a slide plan by an application's loop, and corrects it by measured poses.
 
     Call `update` at the rate of the loop and send the target to the robot. Small deviations of the
@@ -79,34 +70,16 @@ class Follower:
             raise TaskError(f"plan: {found.kind}: only slide plans can be followed")
         if not found:
             raise TaskError(f"the plan's status is {found.status}, not solved: nothing to follow")
-        self.settings = settings or Settings()
         problem = found.task.problem
         if problem.X_WO_end is not None:
             raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")
+        chosen = settings or Settings()
         limits = max_velocity, max_acceleration, max_jerk
-        within = limits_of(problem.robot, self.settings.rate, *limits, contact_speed)
-        self._hand = Hand(problem)
-        self._guard = Guard(found, self._hand)
-        self._replanner = Replanner(found, self._hand, self._guard, self.settings)
-        self.search_seconds = self._replanner.seconds
-        self._watch = Watch(problem.robot, self._hand.arm, self.settings)
-        self.plan: Plan = found
-        self.resumes = self.restarts = 0
-        self.estimate = Estimate(self._hand.place(problem.X_WO_start), self.settings.noise)
-        self._motion = Motion(problem, self._hand, within, self.settings, found.segments[0])
-        self._camera = Camera(problem, self._hand)
-        self._t = self._looked = self._planned = -np.inf
-        self._still = 0.0  # time since the segment ended
-        self._at_end = 0.0, 0.0  # turn of the hand and error of the object then [rad]
-        self._is_stuck = False  # the object has not followed the turn of the hand since
-        self._stopped = ""
-        self._reason = ""
-        self._is_looking = True
-        self._restart = ""  # reason for which the motion brakes, to begin anew
-        self._is_braking = False  # to go on from rest
-        self._is_blocked = False  # the shifted path of this segment would touch something
-        self._goes_back = False  # to the plan's own path, which touches nothing
-        self._index = 0
+        super().__init__(
+            found, chosen, limits_of(problem.robot, chosen.rate, *limits, contact_speed)
+        )
+        self._watch = Watch(problem.robot, self._hand.arm, chosen)
+        self._looked = -np.inf  # time since when it waits for poses at rest [s]
 
     def update(
         self, t: float, q: Any, pose: Any = None, covariance: Any = None, age: float = 0.0
@@ -246,19 +219,6 @@ class Follower:
             status, reason = "looking" if self._is_looking else "moving", self._reason
         return Target(self._motion.target.copy(), velocity, status, reason, self._course.name, seen)
 
-    @property
-    def _course(self) -> Course:
-        return self._motion.course
-
-    @property
-    def _correction(self) -> Correction:
-        return self._motion.correction
-
-    @property
-    def _deviation(self) -> Deviation:
-        away = self._hand.away(self.plan.X_WH_grasp, self.settings.stand_off)
-        return Deviation(self._course, self._correction.motion, self.estimate.place, away)
-
     def _step(self) -> tuple[Matrix, float]:
         """Returns step [3] and rise of the correction; larger deviations are planned anew."""
         deviation, name, rise = self._deviation, self._course.name, 0.0
@@ -275,87 +235,9 @@ class Follower:
             if name in IN_CONTACT:
                 self._resume()
             else:
-                self._restart = _ELSEWHERE
+                self._restart = ELSEWHERE
         deviation = self._deviation  # from a new plan, if one was found
         halts = self._restart or self._is_braking or name not in IN_CONTACT
-        if halts or deviation.is_large(self.settings, _HOPELESS):
+        if halts or deviation.is_large(self.settings, HOPELESS):
             return np.zeros(3), rise
         return deviation.bounded_step(self.settings), rise
-
-    @property
-    def is_done(self) -> bool:
-        """True if the hand has closed."""
-        return self._index >= len(self.plan.segments)
-
-    def _end(self) -> None:
-        """Goes on to the next segment."""
-        if self._course.name == RETREAT:
-            self._is_looking = True
-            self._camera.forget()
-            return
-        self._index += 1
-        if not self.is_done:
-            self._begin(self._index)
-
-    def _begin(self, index: int, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
-        self._index = index
-        self._take(self.plan.segments[index], q, velocity)
-
-    def _take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
-        self._still, self._is_blocked = 0.0, False
-        self._is_stuck = self._goes_back = False
-        self._replanner.forget()
-        self._motion.take(segment, q, velocity)
-
-    def _resume(self, at_rest: bool = False) -> None:
-        """Plans the rest of the slide, or brakes to begin anew."""
-        if self.resumes >= self.settings.resumes:
-            self._is_braking = False
-            self._restart = f"the object did not follow {self.resumes} plans"
-            return
-        q = self._motion.base
-        plan, fault = self._replanner.resume(self.plan, q, self.estimate.place)
-        if self._replanner.is_searching:
-            return  # it goes on in the next update
-        self._is_braking = False
-        if plan is None:
-            is_hopeless = at_rest or self._deviation.is_large(self.settings, _HOPELESS)
-            self._restart = fault if is_hopeless else ""
-        elif not (at_rest or goes_on(plan.segments[0], self._motion.velocity)):
-            self._is_braking = True
-        else:
-            self.resumes += 1
-            self._reason = f"planned the rest anew: {_ELSEWHERE}"
-            self.plan = plan
-            self._correction.clear()
-            self._begin(0, q, self._motion.velocity)
-
-    def _begin_anew(self) -> None:
-        """Lifts the hand straight up if it may touch the object, to begin anew from there."""
-        reason, self._restart = self._restart, ""
-        if self.restarts >= self.settings.restarts:
-            self._stop(f"began anew {self.restarts} times; now {reason}")
-            return
-        self.restarts += 1
-        self._reason = f"begins anew: {reason}"
-        lifts, place = self._course.name in IN_CONTACT, self.estimate.place
-        segment = self._replanner.retreat(self._motion.base, place, lifts)
-        self._index = -1
-        self._correction.clear()
-        self._take(segment)
-        self.estimate.loosen()
-
-    def _plan_anew(self) -> None:
-        plan, fault = self._replanner.anew(self._motion.base, self.estimate.place)
-        if self._replanner.is_searching:
-            return
-        if plan is None:
-            self._stop(fault)
-            return
-        self._reason = f"planned anew: {_ELSEWHERE}"
-        self.plan, self._planned = plan, self._t
-        self._correction.clear()
-        self._begin(0)
-
-    def _stop(self, reason: str) -> None:
-        self._stopped = self._stopped or reason

@@ -88,13 +88,12 @@ Points largest_group(const Points& points, double distance) {
 
 }  // namespace
 
-/// True if `p` lies inside the outline, and near a point of the part that sticks out.
+/// True if `p` lies inside the outline (not on it), and near a point of the part that sticks out.
 bool Examination::is_held_at(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& out,
                              const Eigen::Isometry3d& X_SO) const {
   const Eigen::Vector3d p_O = X_SO.inverse() * Eigen::Vector3d(p.x(), p.y(), 0);
-  constexpr double kTie = 1e-9;  // a centre may lie on the outline [m]
-  return (closest(out, p) - p).norm() <= kNeighbours / 2 * problem_.object.spacing() + kTie &&
-         signed_depth(problem_.object.outline().vertices(), p_O.head<2>()) > kTie;
+  return (closest(out, p) - p).norm() <= kNeighbours / 2 * problem_.object.spacing() + kRound &&
+         signed_depth(problem_.object.outline().vertices(), p_O.head<2>()) > kRound;
 }
 
 Examination::Protrusion Examination::protrusion() const {

@@ -13,7 +13,7 @@ import numpy as np
 
 from ... import frames
 from ...following import Follower, Settings
-from ...following.follower import RETREAT
+from ...following.pursuit import RETREAT
 from .execution import Execution
 from .program import HOLD, Command, Program, make_end
 
