@@ -34,7 +34,7 @@ stubs:  ## what is made from the extensions: *.pyi, the schemas, the page of opt
 	.venv/bin/python tools/options_page.py
 
 bench-install:  ## the command `graspless bench`: the papers' experiments, and the planners to compare with
-	@tools/install view,sim,batch
+	@tools/install view,sim,batch,cluster
 	@tools/install-bench
 
 bench: bench-install  ## the papers' experiments anew, into docs/results: half an hour, and hours of physics

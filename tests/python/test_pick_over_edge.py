@@ -102,7 +102,7 @@ def test_check_finds_a_slide_that_ends_elsewhere(slid):
         document["stages"][-1]["task"]["end"]["y"] += 0.01
 
     faults = graspless.check(reloaded(slid.plan, elsewhere))
-    assert any("the object is not at X_WO_end" in fault for fault in faults)
+    assert any("the object is not at its end (X_WO_end)" in fault for fault in faults)
     assert any("end.y is not what the chain's task says" in fault for fault in faults)
 
 
@@ -189,3 +189,23 @@ def test_the_command(scene, tmp_path, capsys, monkeypatch):
     assert "slide, then lift, then place, then slide_in" in capsys.readouterr().out
     assert main(["check", "plan.json"]) == 0
     assert main(["check", "plan.json", "--certify"]) == 0
+
+
+def test_the_edge_over_which_it_was_grasped_is_tried_too(scene):
+    """It is the last but one of those that are near the place; the arm reaches no other."""
+    place = {"pose": {"x": 0.8, "y": 0.1}}
+    found = graspless.pick(
+        scene, card_of(scene), "wam_t42", place=place, strategies=["slide"], seconds=20
+    )
+    assert found, found.reason
+    assert end_of(found)[:2, 3] == pytest.approx([0.8, 0.1], abs=2e-4)
+
+
+def test_a_pose_over_an_edge_needs_no_slide(slid, scene):
+    """The card stays where it is put down, if that is where it was asked for."""
+    over = slid.plan.stages[2].segments[-1].object_poses[-1]
+    yaw = float(np.arctan2(over[1, 0], over[0, 0]))
+    place = {"pose": {"x": float(over[0, 3]), "y": float(over[1, 3]), "yaw": yaw}}
+    found = graspless.pick(scene, card_of(scene), "wam_t42", place=place, seconds=20)
+    assert found, found.reason
+    assert found.plan.names == ["slide", "lift", "place"]

@@ -60,10 +60,24 @@ def test_check_finds_another_end(plan):
     document = document_of(plan)
     document["task"]["end"]["x"] += 0.001
     faults = graspless.check(plan_of(json.loads(json.dumps(document)), "plan"))
-    assert any("the object is not at X_WO_end" in fault for fault in faults)
+    assert any("the object is not at its end (X_WO_end)" in fault for fault in faults)
 
 
-def test_it_is_executed(plan):
+def test_check_finds_an_end_that_the_task_of_a_chain_does_not_ask_for():
+    shared = {key: value for key, value in TASK.items() if key not in ("kind", "end")}
+    stage = {"name": "slide", "kind": "slide", "end": TASK["end"]}
+    found = graspless.plan({"kind": "chain", **shared, "stages": [stage]}, seed=1)
+    assert found, found.reason
+    document = document_of(found)
+    del document["task"]["stages"][0]["end"]
+    faults = graspless.check(plan_of(json.loads(json.dumps(document)), "plan"))
+    assert faults == ["stage 0 'slide': end is not what the chain's task says"]
+
+
+@pytest.mark.parametrize("model", ["flexure", "rigid_guarded"])
+def test_it_is_executed(model):
+    plan = graspless.plan(changed(hand={"finger_model": model}), seed=1)
+    assert plan, plan.reason
     done = graspless.simulate(plan, trials=3)
     assert done, [trial.failures for trial in done.trials]
     assert done.trials[0].measures["position_error"] < 0.01
@@ -106,7 +120,7 @@ def test_what_is_in_the_way_is_named():
     [
         ({"end": {"x": 2.0}}, r"end: object 'object' is off the support"),
         ({"end": {"x": 0.6, "z": 0.1}}, r"end\.z: unknown field"),
-        ({"end": "here"}, r"end"),
+        ({"end": "here"}, r"end: .*here"),
         ({"options": {"search": "paper"}}, r"options\.search: paper: must be fast"),
     ],
 )

@@ -21,7 +21,7 @@ def add_parser(experiments: Any) -> None:
     """Adds `scaling` to the experiments."""
     parser = experiments.add_parser(
         "scaling",
-        help="growth of time and memory with locations, obstacles, points, workers, ...",
+        help="growth of times with locations, obstacles, points, workers, ...",
         description="Plans problems of growing size and fits a power law to their times. Each "
         "time is the least of some runs: of the processor, or wall clock for threads and workers. "
         "Exit 1 when a query has no result.",

@@ -49,6 +49,8 @@ class Curve:
         Makes the query of a size. Only the query is timed.
     is_wall : bool
         Measure wall clock: for several threads or processes.
+    needs : str
+        Module that must be installed.
     """
 
     name: str
@@ -56,6 +58,7 @@ class Curve:
     sizes: tuple[int, ...]
     make: Callable[[int], Callable[[], Done]]
     is_wall: bool = False
+    needs: str = ""
 
 
 def _fingertip(document: dict[str, Any], **options: Any) -> Callable[[], Done]:
@@ -210,6 +213,7 @@ CURVES = (
         (1, 2),
         _dask,
         is_wall=True,
+        needs="dask.distributed",
     ),
 )
 

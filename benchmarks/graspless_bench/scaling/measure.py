@@ -1,18 +1,18 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times and memory of the curves, and their exponents."""
+"""Times of the curves, and their exponents."""
 
 from __future__ import annotations
 
+import importlib
 import os
 import time
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graspless.errors import TaskError
+from graspless.errors import TaskError, missing
 
-from .. import memory
 from .curves import CURVES
 
 if TYPE_CHECKING:
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .curves import Curve
 
-MEGA = 1e6
 RUNS, SECONDS = 5, 2.0  # of each size: at most, and until as much time is spent
 GOOD = ("solved", "found")
 
@@ -32,6 +31,11 @@ def chosen(name: str | None) -> Sequence[Curve]:
     if not curves:
         names = ", ".join(repr(curve.name) for curve in CURVES)
         raise TaskError(f"--curve: {name!r}: should be one of {names}")
+    for needs in filter(None, (curve.needs for curve in curves)):
+        try:
+            importlib.import_module(needs)
+        except ImportError as error:  # before what is measured is lost
+            raise missing(error, "cluster") from None
     return curves
 
 
@@ -57,8 +61,7 @@ def exponent(sizes: Sequence[float], seconds: Sequence[float]) -> float:
 
 def _row(curve: Curve, size: int) -> Row:
     query = curve.make(size)
-    before, load = memory.resident_bytes(), os.getloadavg()[0]
-    memory.reset_peak()
+    load = os.getloadavg()[0]
     times: list[float] = []
     statuses: list[str] = []
     while len(times) < RUNS and sum(times) < SECONDS:
@@ -73,6 +76,5 @@ def _row(curve: Curve, size: int) -> Row:
         "status": next((status for status in statuses if status not in GOOD), statuses[0]),
         "seconds": min(times),
         "seconds_of_runs": times,
-        "peak_mb": round(max(0, memory.peak_bytes() - before) / MEGA, 1),
         "load": round(load, 2),
     }

@@ -59,7 +59,6 @@ def _curves(rows: Sequence[Row]) -> list[Row]:
                 "seconds_to": seconds[-1],
                 "exponent": exponent(sizes, seconds),
                 "last_exponent": exponent(sizes[-2:], seconds[-2:]),
-                "peak_mb": max(row["peak_mb"] for row in of),
             }
         )
     return found
@@ -122,7 +121,6 @@ def _draw(result: Row, path: Path) -> None:
 _SIZES: list[Column] = [
     ("first run [ms]", lambda r: milliseconds(1e3 * r["seconds_of_runs"][0])),
     ("least [ms]", lambda r: milliseconds(1e3 * r["seconds"])),
-    ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
     ("status", lambda r: str(r["status"])),
     ("load", lambda r: f"{r['load']:g}"),
 ]
@@ -138,5 +136,4 @@ _CURVES: list[Column] = [
     ),
     ("exponent", lambda r: f"{r['exponent']:.2f}"),
     ("of the last step", lambda r: f"{r['last_exponent']:.2f}"),
-    ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
 ]

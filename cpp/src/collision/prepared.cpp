@@ -14,7 +14,7 @@
 namespace graspless::collision {
 namespace {
 
-// Triangles, or vertices, about 1 kB each:
+// Triangles, or vertices: 0.2 kB each, 1 kB once FCL is asked.
 constexpr Eigen::Index kMost = 50'000;        // of all small meshes that are kept
 constexpr Eigen::Index kSmall = kMost / 2;    // of a small mesh
 constexpr Eigen::Index kLargest = 1'000'000;  // of all large meshes that are kept

@@ -33,7 +33,7 @@ geometry::Polygon::Edge draw_edge(const Support& support, std::mt19937_64& rng) 
 // point is within half that distance. Neighbours on the diagonal of a grid are 1.4 spacings apart.
 constexpr double kLink = 2.5;
 constexpr double kTie =
-    1e-9;  // centres often lie on the outline, or as far from several points [m]
+    1e-9;  // centres often lie on the outline, or equally far from several points [m]
 
 Eigen::Vector2d center_of(const Points& points) {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();

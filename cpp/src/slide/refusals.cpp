@@ -175,7 +175,7 @@ bool can_be_left(const Query& query, Plan& plan) {
   if (!query.object_end || is_supported(problem, *query.object_end, margin)) return true;
   plan.status = Status::no_goal_root;
   const double inside = problem.support.polygon().depth(com_foot(problem, *query.object_end));
-  plan.reason = "at X_WO_end, " +
+  plan.reason = "at the end (X_WO_end), " +
                 (inside < margin ? "the centre of mass is " + in_mm(inside) + " inside the edge"
                                  : std::string("the part of the rim on the support does not hold "
                                                "the centre of mass")) +

@@ -241,7 +241,8 @@ std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::C
                                                            double joint_at_start) const {
   const bool near_first = num_drawn_ < kDraws * planning::ForestCBiRRT::kCompared;
   std::vector<Partner> partners;
-  for (int i = 0; i < (query_.object_end ? kDrawsOfEnd : kDraws); ++i) {
+  const int of_end = query_.tip_ik.free_joint() ? kDrawsOfEnd : 1;
+  for (int i = 0; i < (query_.object_end ? of_end : kDraws); ++i) {
     const int rank = former_ ? (num_drawn_ >= kFormer) + (num_drawn_ >= kFormer + kFormerEdge) : 0;
     const auto object_S = draw_object_pose(carried);
     const double free_joint = draw_free_joint(joint_at_start, i);

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 SAME_JOINTS = 1e-9  # [rad or m]
 SAME_POSE = 1e-6  # [m, rad]; a slide lays its object flat
+ABSENT = ("end",)  # fields of tasks that say something by being absent
 
 
 def check_joins(
@@ -59,10 +60,13 @@ def _wrong_task(stage: Any, asked: Stage, before: Sequence[Any]) -> str:
 
 
 def differs(asked: Any, given: Any, place: str = "") -> str | None:
-    """Returns the first field where `given` differs from `asked`. Missing ones may be anything."""
+    """Returns the first field where `given` differs from `asked`.
+
+    Missing ones may be anything, except those of `ABSENT`.
+    """
     if isinstance(asked, dict) and isinstance(given, dict):
         for key, value in asked.items():
-            if value is not None and key not in ("budget", "files"):
+            if (value is not None or key in ABSENT) and key not in ("budget", "files"):
                 wrong = differs(value, given.get(key), f"{place}.{key}" if place else key)
                 if wrong is not None:
                     return wrong

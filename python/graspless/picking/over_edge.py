@@ -20,14 +20,13 @@ from . import place as places
 from .wish import documents, support_fields
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from .. import geometry
     from ..frames import Matrix
     from .place import Target
 
 ALONG = 0.03  # of places along an edge [m]
-MOST_EDGES = 3  # that are tried, the nearest first
+MOST_EDGES = 3  # that are tried, the nearest first, and the one over which it was grasped
+MOST_FREE = 32  # poses at the place, of which slides take those that turn the object least
 MOST_ENDS = 4  # of slides from an edge
 
 Way = tuple[dict[str, Any], list[dict[str, Any]]]
@@ -49,17 +48,19 @@ def ways_down(target: Target, grasp: Any, lift: Any, slid: dict[str, Any]) -> li
     if grasp.kind != "slide":
         stage = places.stage_of(target, grasp, lift)
         return stage if isinstance(stage, str) else [(stage, [])]
-    edges = list(itertools.islice(_along_edges(target, _at_edge(grasp)), MOST_EDGES))
+    edges = _along_edges(target, grasp)
     ways: list[Way] = []
     if target.place.pose is None:
         there = [X for poses in edges for X in poses if not target.fault(X)[1]]
-        if there:
-            ways.append((places.put_down(target, there[: places.MOST], "slide"), []))
+    else:
+        there = [X for X in target.asked() if _is_over_edge(target, X) and _stays(target, X)]
+    if there:
+        ways.append((places.put_down(target, there[: places.MOST], "slide"), []))
     ends = target.spread() if target.place.pose is None else iter(target.asked())
-    free = list(itertools.islice((X for X in ends if not target.fault(X)[1]), MOST_ENDS))
+    free = list(itertools.islice((X for X in ends if not target.fault(X)[1]), MOST_FREE))
     for poses in edges if free else []:
         put = places.put_down(target, poses[: places.MOST], "slide")
-        ordered = _least_turned(free, poses)
+        ordered = _least_turned(free, poses)[:MOST_ENDS]
         spreads = dict.fromkeys([slid["options"]["pad_spread"], 0.0])
         slides = [_slide_in(target, slid, X_SO, part) for part in spreads for X_SO in ordered]
         ways.append((put, slides))
@@ -71,12 +72,13 @@ def ways_down(target: Target, grasp: Any, lift: Any, slid: dict[str, Any]) -> li
     )
 
 
-def _along_edges(target: Target, X_EO: Matrix) -> Iterator[list[Matrix]]:
-    """Yields free poses X_SO over each real edge, the nearest edge and the nearest pose first.
+def _along_edges(target: Target, grasp: Any) -> list[list[Matrix]]:
+    """Returns free poses X_SO over real edges, the nearest edge and the nearest pose first.
 
-    `X_EO` is the pose of the object at an edge: x along it, y into the support.
+    The edge over which the object was grasped is among them: the arm reaches it.
     """
     near = target.middle if target.place.pose is None else target.asked()[0][:2, 3]
+    X_EO, grasped = _at_edge(grasp), target.polygon.nearest_edge(_hand_in(target, grasp))
 
     def away(X_SO: Matrix) -> float:
         return float(np.linalg.norm(X_SO[:2, 3] - near))
@@ -90,9 +92,19 @@ def _along_edges(target: Target, X_EO: Matrix) -> Iterator[list[Matrix]]:
         count = max(1, int(float(np.linalg.norm(b - a)) / ALONG)) + 2
         poses = [edge_frame(edge, a + t * (b - a)) @ X_EO for t in np.linspace(0, 1, count)[1:-1]]
         free = [X_SO for X_SO in poses if _stays(target, X_SO)]
+        is_own = target.is_same and i == grasped.index
         if free:
-            found.append(sorted(free, key=away))
-    yield from sorted(found, key=lambda poses: away(poses[0]))
+            found.append((is_own, sorted(free, key=away)))
+    found.sort(key=lambda one: away(one[1][0]))
+    return [poses for k, (is_own, poses) in enumerate(found) if k < MOST_EDGES or is_own]
+
+
+def _is_over_edge(target: Target, X_SO: Matrix) -> bool:
+    """Returns True if the object sticks out over a real edge at a pose, and over no other."""
+    ring = target.ring @ X_SO[:2, :2].T + X_SO[:2, 3]
+    out = [p for p in ring if float(target.polygon.depth(p)) < 0]
+    edges = {target.polygon.nearest_edge(p).index for p in out}
+    return bool(edges) and all(str(target.support.edges[i]) == "real" for i in edges)
 
 
 def _stays(target: Target, X_SO: Matrix) -> bool:
@@ -133,14 +145,25 @@ def edge_frame(edge: geometry.Edge, p: Matrix) -> Matrix:
     return frames.planar(float(p[0]), float(p[1]), float(np.arctan2(-inward[0], inward[1])))
 
 
+def _hand(slide: Any) -> Matrix:
+    """[4, 4] pose X_WH of the hand that has grasped."""
+    problem = slide.task.problem
+    X_WH: Matrix = problem.robot.pose(problem.hand.grasp_frame, slide.segments[-1].positions[-1])
+    return X_WH
+
+
+def _hand_in(target: Target, slide: Any) -> Matrix:
+    """[2] position of that hand in the support of the place [m]."""
+    p_S: Matrix = (np.linalg.inv(target.support.X_WS) @ _hand(slide))[:2, 3]
+    return p_S
+
+
 def _at_edge(slide: Any) -> Matrix:
     """[4, 4] X_EO of the object at the edge over which a slide grasps it, by the hand."""
     problem = slide.task.problem
     X_SW = np.linalg.inv(problem.support.X_WS)
-    last = slide.segments[-1]
-    X_WH = problem.robot.pose(problem.hand.grasp_frame, last.positions[-1])
-    X_SO = X_SW @ last.object_poses[-1]
-    edge = problem.support.polygon.nearest_edge((X_SW @ X_WH)[:2, 3])
+    X_SO = X_SW @ slide.segments[-1].object_poses[-1]
+    edge = problem.support.polygon.nearest_edge((X_SW @ _hand(slide))[:2, 3])
     a, b = np.asarray(edge.a), np.asarray(edge.b)
     along = (b - a) / np.linalg.norm(b - a)
     foot = a + along * float((X_SO[:2, 3] - a) @ along)

@@ -226,16 +226,19 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
 
     def share() -> float:
         left = seconds - (time.monotonic() - began)
-        return max(LEAST_SECONDS, left / max(1, waiting - len(failed)))
+        return max(LEAST_SECONDS, left / waiting)
 
     for put, slides in ways:
         there = _with_stages(plan, document, [put], share())
+        waiting -= 1
         if there and not slides:
             return there, ""
         if not there:
             failed.append((1, there, there.reason))
+            waiting -= len(slides)
         for slide in slides if there else []:
             found = _with_stages(there, document, [put, slide], share())
+            waiting -= 1
             doubted = doubt(found, target.wish) if found else found.reason
             if not doubted:
                 return found, ""

@@ -65,9 +65,13 @@ class SlidePlanFile(PlanFields):
     kind: Literal["slide"]
     status: Status
     joint_names: list[str]
-    overhang: float = Field(description="length of the object beyond the edge at the goal [m]")
+    overhang: float = Field(
+        description="length of the object beyond the edge at the goal [m]; 0 with an end"
+    )
     X_WO_goal: PoseRow = Field(description="pose of the object after the slide")
-    X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the grasp")
+    X_WH_grasp: PoseRow = Field(
+        description="pose of the hand's grasp frame at the grasp; the identity with an end"
+    )
     resumed: Interruption | None = Field(
         default=None,
         description="where the plan goes on; without it, it begins at the task's home",

@@ -22,6 +22,7 @@ import numpy as np
 
 from .. import timing
 from ..errors import TaskError
+from ..tasks import scenes
 from . import moved
 from .carries import OPEN, RETREAT, with_carries
 from .clasp import carried
@@ -203,7 +204,7 @@ class _Carried(Execution):
             first,
             variation,
             settings,
-            obstacles_of([first, *carries]),
+            _obstacles(first, carries, later),
             control,
             truth,
             standing=None if places is None else places.on,
@@ -268,6 +269,20 @@ class _Carried(Execution):
         if not self.judge.holds(self.data) or max(creep, error) > self.settings.kept:
             self.judge.note("dropped")
         self.measures["kept"] = float(phase == HOLD and "dropped" not in self.judge.failures)
+
+
+def _obstacles(first: Any, carries: Sequence[Any], later: Any) -> list[Any]:
+    """Returns the obstacles of all stages, without the first support, which is the table.
+
+    To a last slide on another support, the slab of the first one is an obstacle.
+    """
+    stages = [first, *carries] if later is None else [first, *carries, later]
+    X_WS = np.asarray(first.task.problem.support.X_WS)
+    return [
+        obstacle
+        for obstacle in obstacles_of(stages)
+        if not (scenes.is_of_scene(obstacle.name) and np.allclose(obstacle.X_WB, X_WS))
+    ]
 
 
 def obstacles_of(stages: Sequence[Any]) -> list[Any]:

@@ -26,6 +26,7 @@ RESPECT = (
     "obstacles of the scene: nothing; objects: the other objects and higher supports; unseen: also "
     "the space that no ray reached, except behind the object itself"
 )
+_OF_SCENE = "scene "  # begins the names of obstacles from scenes
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
 SUNK = 0.001  # depth of the top of the object's own support as an obstacle [m]
@@ -78,7 +79,7 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
     if respect == "nothing":
         return []
     found = [
-        Obstacle(name=f"scene {other.name}",
+        Obstacle(name=f"{_OF_SCENE}{other.name}",
                  parts=_prisms(outline_of(other), 0.0, other.thickness),
                  pose=_pose(other.X_WO))
         for other in scene.objects
@@ -106,7 +107,12 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
 def slab(support: Support, top: float = 0.0) -> Obstacle:
     """Returns a support as an obstacle; `top` is the height of its upper face in S [m]."""
     parts = _prisms(support.polygon, top - SLAB, top)
-    return Obstacle(name=f"scene {support.name}", parts=parts, pose=_pose(support.X_WS))
+    return Obstacle(name=f"{_OF_SCENE}{support.name}", parts=parts, pose=_pose(support.X_WS))
+
+
+def is_of_scene(name: str) -> bool:
+    """Returns True if an obstacle is called as those from a scene are."""
+    return name.startswith(_OF_SCENE)
 
 
 def outline_of(other: Object) -> Matrix:

@@ -78,10 +78,10 @@ TEST(End, CheckFindsAnotherPlace) {
   const Plan found = plan(problem, {}, seeded(1));
   ASSERT_TRUE(found) << found.reason;
   problem.X_WO_end->pretranslate(Eigen::Vector3d(0.002, 0, 0));
-  EXPECT_NE(text_of(check(problem, found)).find("the object is not at X_WO_end"),
+  EXPECT_NE(text_of(check(problem, found)).find("the object is not at its end (X_WO_end)"),
             std::string::npos);
   problem.X_WO_end = sticking_out(0.81).X_WO_end;
-  EXPECT_NE(text_of(check(problem, found)).find("the object is not at X_WO_end"),
+  EXPECT_NE(text_of(check(problem, found)).find("the object is not at its end (X_WO_end)"),
             std::string::npos);
   problem.X_WO_end.reset();
   EXPECT_NE(text_of(check(problem, found)).find("segments are not"), std::string::npos);
@@ -124,7 +124,7 @@ TEST(End, APlaceNearTheEdgeIsRefusedWithTheDistance) {
   const Plan found = plan(problem, {}, seeded(1));
   EXPECT_EQ(found.status, Status::no_goal_root);
   EXPECT_EQ(found.reason,
-            "at X_WO_end, the centre of mass is 3 mm inside the edge; options.com_margin asks for "
+            "at the end (X_WO_end), the centre of mass is 3 mm inside the edge; options.com_margin asks for "
             "10 mm");
 }
 

@@ -176,9 +176,8 @@ void validate(const Problem& problem, const Options& options) {
   check_finger_fits(problem, options);
   if (problem.X_WO_end && options.search == Search::paper)
     throw std::invalid_argument(
-        "options.search must be fast for a slide to X_WO_end, not paper: its goals are drawn to "
-        "fit "
-        "a start");
+        "options.search must be fast for a slide to an end (X_WO_end), not paper: its goals are "
+        "drawn to fit a start");
 }
 
 std::string to_string(Status status) { return planning::name_of(status); }

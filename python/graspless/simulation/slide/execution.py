@@ -73,7 +73,8 @@ class Execution:
         self.measures: dict[str, float] = {} if truth is None else {"lifted": 0.0}
         # A wrist that yields trails behind, and catches up while the finger lifts.
         yields = wrist_stiffness(plan.task.problem.hand, settings) is not None
-        self._slid_after = ("lift", "reach") if yields else ("slide", "lift")
+        following = "reach" if plan.task.problem.X_WO_end is None else REST
+        self._slid_after = ("lift", following) if yields else ("slide", "lift")
         self._slid: Any = None  # the pose of the object after the slide
         self._kick = Kick(variation)
         self._lags = lags(plan.task.problem.robot)

@@ -147,8 +147,10 @@ def _flat(fields: Any, X_WO: Matrix) -> PlanarPose:
     """Returns the pose of an object that lies on the support of a slide or a pinch."""
     X_WS = support_pose(fields.support)
     X_SO = np.linalg.inv(X_WS) @ X_WO
+    tilt = float(np.degrees(np.arccos(np.clip(X_SO[2, 2], -1, 1))))
     if abs(X_SO[2, 3]) > SAME or np.linalg.norm(X_SO[:2, 2]) > SAME:
-        raise ValueError(f"does not lie flat on the support: {1000 * X_SO[2, 3]:.1f} mm over it")
+        where = f"{1000 * X_SO[2, 3]:.1f} mm over it, tilted by {tilt:.1f} degrees"
+        raise ValueError(f"does not lie flat on the support: {where}")
     return PlanarPose(**planar_pose(X_WS, X_WO))
 
 
