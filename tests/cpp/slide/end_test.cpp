@@ -124,7 +124,8 @@ TEST(End, APlaceNearTheEdgeIsRefusedWithTheDistance) {
   const Plan found = plan(problem, {}, seeded(1));
   EXPECT_EQ(found.status, Status::no_goal_root);
   EXPECT_EQ(found.reason,
-            "at the end (X_WO_end), the centre of mass is 3 mm inside the edge; options.com_margin asks for "
+            "at the end (X_WO_end), the centre of mass is 3 mm inside the edge; options.com_margin "
+            "asks for "
             "10 mm");
 }
 
