@@ -241,8 +241,8 @@ std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::C
                                                            double joint_at_start) const {
   const bool near_first = num_drawn_ < kDraws * planning::ForestCBiRRT::kCompared;
   std::vector<Partner> partners;
-  const int of_end = query_.tip_ik.free_joint() ? kDrawsOfEnd : 1;
-  for (int i = 0; i < (query_.object_end ? of_end : kDraws); ++i) {
+  const int draws = !query_.object_end ? kDraws : query_.tip_ik.free_joint() ? kDrawsOfEnd : 1;
+  for (int i = 0; i < draws; ++i) {
     const int rank = former_ ? (num_drawn_ >= kFormer) + (num_drawn_ >= kFormer + kFormerEdge) : 0;
     const auto object_S = draw_object_pose(carried);
     const double free_joint = draw_free_joint(joint_at_start, i);
@@ -282,8 +282,7 @@ std::optional<Planar> GoalRegion::draw_graspable() const {
   return draw_graspable_pose(query_.problem, query_.options, query_.rng);
 }
 
-/// Draws the free joint of a partner: that of its start. If there is no other start or goal, later
-/// values are near it, and then anywhere.
+/// Draws the free joint of a partner: that of its start; if there is no other, later ones near it.
 double GoalRegion::draw_free_joint(double at_start, int i) const {
   if (query_.object_end) return i == 0 ? at_start : query_.draw_free_joint(at_start);
   if (!query_.tip_ik.free_joint() || !has_one_start_ || num_drawn_ <= 1) return at_start;

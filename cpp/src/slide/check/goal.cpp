@@ -151,8 +151,7 @@ void Examination::check_end() {
   const Eigen::Vector3d off = X_OO.translation(), turn = X_OO.linear() * Eigen::Vector3d::UnitX();
   if (!(off.head<2>().norm() <= kEndDistance + kFlat * kTilt && std::abs(off.z()) <= 2 * kFlat) ||
       !(std::abs(std::atan2(turn.y(), turn.x())) <= kEndTurn + kSame)) {
-    fault("goal",
-          "the object is not at its end (X_WO_end): it is " + figure(off.norm()) + " m off");
+    fault("goal", "the object is not at its end: it is " + figure(off.norm()) + " m off");
   }
   check_held_up();
 }
