@@ -17,7 +17,7 @@ from graspless import collision, frames, geometry, scene, slide
 from graspless._commands import FOUND, NOT_FOUND
 
 from .arguments import positive
-from .slide.grid import Start, Trial
+from .slide.grid import Start, Trial, among
 from .slide.shapes import OBJECTS, TABLES
 
 if TYPE_CHECKING:
@@ -84,15 +84,7 @@ def cluttered(problem: slide.Problem, plan: Any, rng: np.random.Generator) -> sl
     away = rng.normal(size=3)
     p = p + rng.uniform(0.02, 0.12) * away / np.linalg.norm(away)
     ball = geometry.PlacedShape(geometry.Sphere(float(rng.uniform(0.005, 0.03))))
-    return slide.Problem(
-        problem.robot,
-        problem.hand,
-        problem.object,
-        problem.support,
-        problem.X_WO_start,
-        problem.q_home,
-        [collision.Obstacle(CLUTTER, [ball], frames.translation(p))],
-    )
+    return among(problem, [collision.Obstacle(CLUTTER, [ball], frames.translation(p))])
 
 
 def touches(bodies: scene.Scene, edge: Edge, step: float) -> bool:

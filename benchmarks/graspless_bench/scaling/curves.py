@@ -17,7 +17,7 @@ from graspless import batch, clasp, collision, frames, geometry, slide
 from graspless._core import fingertip as core  # plans without their files' documents
 
 from ..fingertip import grid
-from ..slide.grid import Start, Trial
+from ..slide.grid import Start, Trial, among
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -84,16 +84,7 @@ def _prism(sides: int) -> dict[str, Any]:
 
 def _slide(obstacles: list[collision.Obstacle]) -> Callable[[], Done]:
     trial = Trial(Start("square", "square", 1.0, 0, 1), defaults=True)
-    given = trial.make_problem()
-    problem = slide.Problem(
-        given.robot,
-        given.hand,
-        given.object,
-        given.support,
-        given.X_WO_start,
-        given.q_home,
-        obstacles,
-    )
+    problem = among(trial.make_problem(), obstacles)
     options = trial.make_options()
     return lambda: Done(slide.plan(problem, options, trial.make_budget(30)).status.name)
 

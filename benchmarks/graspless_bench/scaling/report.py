@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..machine import Row
     from ..tables import Column
 
-UNITS = {curve.name: curve for curve in CURVES}
+OF_NAME = {curve.name: curve for curve in CURVES}
 
 
 def as_result(rows: Sequence[Row], is_complete: bool, load: Sequence[float]) -> Row:
@@ -52,7 +52,7 @@ def _curves(rows: Sequence[Row]) -> list[Row]:
         found.append(
             {
                 "name": name,
-                "grows": UNITS[name].grows,
+                "grows": OF_NAME[name].grows,
                 "from": sizes[0],
                 "to": sizes[-1],
                 "seconds_from": seconds[0],
@@ -67,15 +67,18 @@ def _curves(rows: Sequence[Row]) -> list[Row]:
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
     where = result["machine"]
-    rows = [row | {"name": f"{row['curve']}, {row['size']}"} for row in result["rows"]]
     lines = [
         "" if result["complete"] else "INTERRUPTED: these are partial results",
-        aligned("", rows, _SIZES),
+        aligned("", _named(result["rows"]), _SIZES),
         aligned("", result["curves"], _CURVES),
         f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
         *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
     return "\n".join(line for line in lines if line)
+
+
+def _named(rows: Sequence[Row]) -> list[Row]:
+    return [row | {"name": f"{row['curve']}, {row['size']}"} for row in rows]
 
 
 def write(result: Row, directory: Path) -> None:
@@ -84,10 +87,9 @@ def write(result: Row, directory: Path) -> None:
     (directory / "scaling.json").write_text(compact(json.dumps(result, indent=1)) + "\n")
     _draw(result, directory / "scaling.png")
     page = template("scaling")
-    sizes = [row | {"name": f"{row['curve']}, {row['size']}"} for row in result["rows"]]
     fields = {
         "curves": markdown(result["curves"], _CURVES, "curve"),
-        "sizes": markdown(sizes, _SIZES, "curve, size"),
+        "sizes": markdown(_named(result["rows"]), _SIZES, "curve, size"),
     }
     text = string.Template(page["head"]).substitute(fields)
     end = string.Template(page["circumstances"]).substitute(circumstances([result]))
@@ -100,7 +102,7 @@ def _draw(result: Row, path: Path) -> None:
 
     from ..style import COLORS, STYLE
 
-    names = [row["name"] for row in result["curves"] if not UNITS[row["name"]].is_wall]
+    names = [row["name"] for row in result["curves"] if not OF_NAME[row["name"]].is_wall]
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(9, 5), layout="constrained")
         for i, name in enumerate(names):
@@ -113,7 +115,7 @@ def _draw(result: Row, path: Path) -> None:
             axes.minorticks_off()
             axes.set_ylim(1, 1e4)
             axes.set_title(name, fontsize=9)
-            axes.set_xlabel(UNITS[name].grows, fontsize=7)
+            axes.set_xlabel(OF_NAME[name].grows, fontsize=7)
             axes.set_ylabel("ms", fontsize=7)
         figure.savefig(path, dpi=120)
 

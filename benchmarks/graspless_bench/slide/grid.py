@@ -22,6 +22,8 @@ from .shapes import LETTERS, OBJECTS, TABLES, THICKNESS, outline_of
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
+    from graspless import collision
+
 HOME = [0, 0.2, 0, 2.0, 0, 0.94, 0, 0]  # all joints of wam_t42: the hand above the tables
 # The contact at the commanded tip, as in the paper; the stiffness presses with 9 N at 15 mm.
 PAPERS_HAND = slide.Hand(finger_model=slide.FingerModel.impedance, wrist_stiffness=600)
@@ -160,6 +162,19 @@ def starts(
     size = len(tables) * len(objects)
     for i, (name, on) in enumerate(itertools.islice(cells, runs)):
         yield Start(on, name, scale, i // size, seed)
+
+
+def among(problem: slide.Problem, obstacles: list[collision.Obstacle]) -> slide.Problem:
+    """Returns a problem with other obstacles."""
+    return slide.Problem(
+        problem.robot,
+        problem.hand,
+        problem.object,
+        problem.support,
+        problem.X_WO_start,
+        problem.q_home,
+        obstacles,
+    )
 
 
 def paper(runs: int, seed: int, search: str) -> Iterator[Trial]:
