@@ -4,15 +4,19 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import INTERRUPTED
+from graspless._commands import FOUND, INTERRUPTED, NOT_FOUND
 from graspless.errors import TaskError
 
 if TYPE_CHECKING:
+    import argparse
     from pathlib import Path
+
+    from .machine import Row
 
 
 def positive(kind: type) -> Any:
@@ -39,3 +43,23 @@ def say_partial() -> int:
     """Prints that an interrupted run is not written; returns the exit code."""
     print("interrupted: the results are partial, and not written", file=sys.stderr)
     return INTERRUPTED
+
+
+def finish(options: argparse.Namespace, result: Row, report: Any) -> int:
+    """Writes the result of an experiment, prints it, and returns the exit code.
+
+    Parameters
+    ----------
+    options : argparse.Namespace
+        With `out` and `json`.
+    result : dict
+        With `complete` and `complaints`. A partial result is not written.
+    report : module
+        With `write` and `as_text`.
+    """
+    if options.out is not None and result["complete"]:
+        report.write(result, options.out)
+    print(json.dumps(result) if options.json else report.as_text(result))
+    if not result["complete"]:
+        return say_partial()
+    return NOT_FOUND if result["complaints"] else FOUND

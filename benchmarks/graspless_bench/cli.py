@@ -16,6 +16,7 @@ from .robots.command import add_parser as _add_robots
 from .scaling.command import add_parser as _add_scaling
 from .see.command import add_parser as _add_see
 from .slide.command import add_parser as _add_slide
+from .speed.command import add_parsers as _add_speed
 
 if TYPE_CHECKING:
     import argparse
@@ -32,5 +33,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     _add_physics(experiments)
     _add_robots(experiments)
     _add_scaling(experiments)
+    _add_speed(experiments)
     _add_see(experiments)
     _add_household(experiments)

@@ -4,14 +4,11 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
-
-from ..arguments import check_writable, positive, say_partial
+from ..arguments import check_writable, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -58,10 +55,4 @@ def _run(options: argparse.Namespace) -> int:
     bar = Bar(f"bench clasp, {options.grid}", count(options.grid, options.seeds))
     result = run(options.grid, options.seeds, options.seed, options.time, bar.tell)
     bar.close()
-    table = report.as_result(result, load)
-    if options.out is not None and result.is_complete:
-        report.write(table, options.out)
-    print(json.dumps(table) if options.json else report.as_text(table))
-    if not result.is_complete:
-        return say_partial()
-    return NOT_FOUND if table["complaints"] else FOUND
+    return finish(options, report.as_result(result, load), report)

@@ -4,14 +4,11 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
-
-from ..arguments import check_writable, say_partial
+from ..arguments import check_writable, finish
 
 if TYPE_CHECKING:
     import argparse
@@ -46,9 +43,4 @@ def _run(options: argparse.Namespace) -> int:
     rows, is_complete = measure.run(curves, bar.tell)
     bar.close()
     result = report.as_result(rows, is_complete, load)
-    if options.out is not None and is_complete:
-        report.write(result, options.out)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    if not is_complete:
-        return say_partial()
-    return NOT_FOUND if result["complaints"] else FOUND
+    return finish(options, result, report)

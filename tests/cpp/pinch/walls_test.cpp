@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -53,6 +54,13 @@ struct Cup {
     return std::max(bottom, height - (radius - wall - r) / lean);
   }
 };
+
+/// A plan from a search that no slow machine or sanitizer cuts short.
+Plan plan_in_time(const Problem& problem, const Options& options = {}) {
+  planning::Budget budget;
+  budget.seconds = std::numeric_limits<double>::infinity();
+  return pinch::plan(problem, options, budget);
+}
 
 Problem with_cup(const Cup& cup, double mass = 0.06, double x = 0.6, double y = 0.1,
                  double yaw = 0.4) {
@@ -177,7 +185,7 @@ TEST(RimPinch, OneFingerIsInsideAndOneOutside) {
     cup.radius = radius(rng) + cup.wall;
     cup.height = height(rng);
     const Problem problem = with_cup(cup, 0.05, x(rng), y(rng), yaw(rng));
-    const Plan found = pinch::plan(problem);
+    const Plan found = plan_in_time(problem);
     ASSERT_TRUE(found) << i << ": " << found.reason;
     EXPECT_EQ(all(check(problem, found)), "");
     const double a = found.contacts_O.col(0).head<2>().norm(),
@@ -202,7 +210,7 @@ TEST(RimPinch, SquareVesselsToo) {
       geometry::columns({{-side, -side}, {side, -side}, {side, side}, {-side, side}}));
   const Object box = Object::prism("box", outline, 0.07).with_mass(0.08).with_heights(map);
   const Problem problem = slide::make_problem(slide::tables()[0], box, slide::flat(0.6, 0, 0.3));
-  const Plan found = pinch::plan(problem);
+  const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_EQ(all(check(problem, found)), "");
   EXPECT_LT(found.friction, 0.3);
@@ -233,7 +241,7 @@ TEST(RimPinch, RefusesWithTheNumberInTheWay) {
        "mm thick where it is thinnest, the hand opens"},
       {"shallow", {0.06, 0.006, 0.08, 0.07, 0}, 0.05, Status::no_room, "mm too high there"}};
   for (const Refused& one : all_of_them) {
-    const Plan found = pinch::plan(with_cup(one.cup, one.mass));
+    const Plan found = plan_in_time(with_cup(one.cup, one.mass));
     EXPECT_EQ(to_string(found.status), to_string(one.status)) << one.name << ": " << found.reason;
     EXPECT_NE(found.reason.find(one.words), std::string::npos) << one.name << ": " << found.reason;
   }
@@ -246,13 +254,13 @@ TEST(RimPinch, NeedsTheForceOfTheHand) {
   const std::string given = " effort=\"2\"";
   for (std::size_t at; (at = urdf.find(given)) != std::string::npos;) urdf.erase(at, given.size());
   problem.robot = robot::Robot::from_urdf(urdf, problem.robot.options());
-  const Plan unknown = pinch::plan(problem);
+  const Plan unknown = plan_in_time(problem);
   EXPECT_EQ(unknown.status, Status::unknown_force) << unknown.reason;
   EXPECT_NE(unknown.reason.find("joint 'left_finger_joint'"), std::string::npos);
   EXPECT_NE(unknown.reason.find("options.grip_force"), std::string::npos);
   Options options;
   options.grip_force = 8;
-  const Plan found = pinch::plan(problem, options);
+  const Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_EQ(all(check(problem, found, options)), "");
   EXPECT_NE(all(check(problem, found)).find("effort limit"), std::string::npos);
@@ -266,7 +274,7 @@ TEST(RimPinch, ALowWallIsLeftAlone) {
   const Object object =
       Object::prism("cup", slide::disc(cup.radius, 48, {0, 0}), cup.height).with_heights(map);
   const Problem problem = slide::make_problem(slide::tables()[0], object, slide::flat(0.6, 0, 0.3));
-  const Plan found = pinch::plan(problem);
+  const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_GT(found.contacts_O(0, 0), 0);
   EXPECT_EQ(all(check(problem, found)), "");
@@ -274,7 +282,7 @@ TEST(RimPinch, ALowWallIsLeftAlone) {
 
 TEST(RimPinch, EditedPlansAreAtFault) {
   const Problem problem = with_cup({});
-  const Plan found = pinch::plan(problem);
+  const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
   ASSERT_EQ(all(check(problem, found)), "");
   const auto fault_of = [&](const auto& edit) {
@@ -320,7 +328,7 @@ TEST(RimPinch, APlanOnALeaningWallNeedsFriction) {
   const Problem problem = with_cup(cup, 0.02);
   Options options;
   options.patch = 0.016;
-  Plan found = pinch::plan(problem, options);
+  Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_EQ(all(check(problem, found, options)), "");
   found.friction = 0;
@@ -337,7 +345,7 @@ TEST(RimPinch, PlansOnLeaningWallsHold) {
       cup.lean = lean;
       cup.radius = radius;
       const Problem problem = with_cup(cup, 0.02);
-      const Plan found = pinch::plan(problem);
+      const Plan found = plan_in_time(problem);
       solved += found ? 1 : 0;
       if (found) {
         EXPECT_EQ(all(check(problem, found)), "") << lean << ", " << radius;
@@ -367,7 +375,7 @@ TEST(RimPinch, AWallThatEndsElsewhereIsNotTaken) {
 
 /// The same plan, on another object.
 TEST(RimPinch, APlanForAnotherVesselIsAtFault) {
-  const Plan found = pinch::plan(with_cup({}));
+  const Plan found = plan_in_time(with_cup({}));
   ASSERT_TRUE(found) << found.reason;
   Cup full, thick, low;
   full.bottom = 0.07;
@@ -386,7 +394,7 @@ TEST(RimPinch, APlanForAnotherVesselIsAtFault) {
 
 TEST(RimPinch, IsTheSameEveryTime) {
   const Problem problem = with_cup({});
-  const Plan a = pinch::plan(problem), b = pinch::plan(problem);
+  const Plan a = plan_in_time(problem), b = plan_in_time(problem);
   ASSERT_TRUE(a);
   EXPECT_EQ(a.contacts_O, b.contacts_O);
   ASSERT_EQ(a.segments.size(), b.segments.size());
@@ -414,10 +422,10 @@ TEST(Walls, AHandThatIsLessOpenNeedsLessRoom) {
           .with_heights(map);
   const Problem problem =
       slide::make_problem(slide::tables()[0], object, slide::flat(0.6, 0.1, 0.4));
-  EXPECT_FALSE(pinch::plan(problem));
+  EXPECT_FALSE(plan_in_time(problem));
   Options options;
   options.opening = 0.027;
-  const Plan found = pinch::plan(problem, options);
+  const Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_EQ(all(check(problem, found, options)), "");
   EXPECT_NEAR(found.opening, Jaw(problem).opening(), 1e-12);
@@ -426,9 +434,9 @@ TEST(Walls, AHandThatIsLessOpenNeedsLessRoom) {
   options.opening = 0.03;
   EXPECT_NE(all(check(problem, found, options)).find("the hand is not open"), std::string::npos);
   options.opening = 1;  // more than it opens
-  EXPECT_FALSE(pinch::plan(problem, options));
+  EXPECT_FALSE(plan_in_time(problem, options));
   options.opening = 0.001;
-  EXPECT_EQ(pinch::plan(problem, options).status, Status::too_wide);
+  EXPECT_EQ(plan_in_time(problem, options).status, Status::too_wide);
 }
 
 }  // namespace
