@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <kdl/segment.hpp>
 
 #include "graspless/robot/robot.hpp"
 
@@ -29,7 +28,10 @@ struct Link {
   Eigen::Isometry3d X_PJ =
       Eigen::Isometry3d::Identity();  // of the joint; of L itself where it is fixed
   Eigen::Matrix3d R_JL = Eigen::Matrix3d::Identity();  // at joint value 0: axes are turned onto z
-  KDL::Segment segment;  // X_JL as a function of q[joint], multiplier and offset included
+  int axis = 2;                   // coordinate axis of J about or along which the joint moves
+  double sign = 1;                // -1: against it
+  bool is_axis_turned = false;    // R_JL is not the identity
+  bool is_parent_turned = false;  // R_PJ is not the identity
 };
 
 struct Robot::Model {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/robot/robot.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -18,17 +19,13 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Computes X_AC = X_AB * X_BC for a KDL frame, whose matrix is stored by rows. Works on columns of
-/// 4 x 4 matrices, which fill whole vector registers.
-void multiply(const Isometry3d& X_AB, const KDL::Frame& X_BC, Isometry3d& X_AC) {
-  const auto& A = X_AB.matrix();
-  const double* R = X_BC.M.data;
-  const double* p = X_BC.p.data;
-  auto& C = X_AC.matrix();
-  for (int j = 0; j < 3; ++j) {
-    C.col(j) = A.col(0) * R[j] + A.col(1) * R[3 + j] + A.col(2) * R[6 + j];
-  }
-  C.col(3) = A.col(0) * p[0] + A.col(1) * p[1] + A.col(2) * p[2] + A.col(3);
+/// Turns columns of X: X * Rot(angle) about a coordinate axis.
+void turn(int axis, double angle, Isometry3d& X) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  auto u = X.matrix().col((axis + 1) % 3), v = X.matrix().col((axis + 2) % 3);
+  const Eigen::Vector4d before = u;
+  u = c * before + s * v;
+  v = c * v - s * before;
 }
 
 void check_size(const VectorXd& q, const Robot::Model& model) {
@@ -63,14 +60,28 @@ bool exists(const std::string& path) { return std::ifstream(path).good(); }
 
 }  // namespace
 
+// Works on columns of 4 x 4 matrices, which fill whole vector registers.
 void place(const Link& link, const VectorXd& q, const Isometry3d& X_WP, Isometry3d& X_WL) {
-  if (link.joint < 0) {
-    X_WL.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
-    return;
+  const auto& P = X_WP.matrix();
+  const auto& J = link.X_PJ.matrix();
+  auto& L = X_WL.matrix();
+  const auto in_world = [&](int j) {
+    return P.col(0) * J(0, j) + P.col(1) * J(1, j) + P.col(2) * J(2, j);
+  };
+  if (link.is_parent_turned) {
+    for (int j = 0; j < 3; ++j) L.col(j) = in_world(j);
+  } else {
+    L.leftCols<3>() = P.leftCols<3>();
   }
-  Isometry3d X_WJ;
-  X_WJ.matrix().noalias() = X_WP.matrix() * link.X_PJ.matrix();
-  multiply(X_WJ, link.segment.pose(q[link.joint]), X_WL);
+  L.col(3) = in_world(3) + P.col(3);
+  if (link.joint < 0) return;
+  const double value = link.sign * (link.multiplier * q[link.joint] + link.offset);
+  if (link.prismatic) {
+    L.col(3) += value * L.col(link.axis);
+  } else {
+    turn(link.axis, value, X_WL);
+  }
+  if (link.is_axis_turned) X_WL.linear() = X_WL.linear() * link.R_JL;
 }
 
 Robot Robot::from_urdf(const std::string& xml, const Options& options) {

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include <console_bridge/console.h>
-#include <kdl/joint.hpp>
 #include <urdf_parser/urdf_parser.h>
 
 #include "geometry/turn.hpp"
@@ -159,32 +158,18 @@ int principal_axis(const Vector3d& axis) {
   return -1;
 }
 
-KDL::Frame to_kdl(const Eigen::Matrix3d& R) {
-  return KDL::Frame(KDL::Rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0),
-                                  R(2, 1), R(2, 2)));
-}
-
-/// Sets X_PJ and the segment. KDL's joint about a general axis caches its last pose in a mutable
-/// member, which is a data race between threads; its joints about x, y and z do not. So any other
-/// axis is rotated onto z.
+/// Sets the axis of the joint. One that is no coordinate axis is turned onto z.
 void set_motion(Link& link) {
-  using KDL::Joint;
-  static constexpr Joint::JointType kRotation[] = {Joint::RotX, Joint::RotY, Joint::RotZ};
-  static constexpr Joint::JointType kTranslation[] = {Joint::TransX, Joint::TransY, Joint::TransZ};
   const int principal = principal_axis(link.axis_L);
-  const int axis = principal < 0 ? 2 : principal;
-  const double sign = principal < 0 ? 1 : link.axis_L[axis];
-  const auto type = link.prismatic ? kTranslation[axis] : kRotation[axis];
-  const Joint joint(link.joint_name, type, sign * link.multiplier, sign * link.offset);
-  KDL::Frame X_tip = KDL::Frame::Identity();
-  if (principal < 0) {
-    const Eigen::Matrix3d R_LZ = geometry::turn_from_z(link.axis_L).toRotationMatrix();
-    link.X_PJ.linear() *= R_LZ;
-    link.R_JL = R_LZ.transpose();
-    X_tip = to_kdl(link.R_JL);
+  if (principal >= 0) {
+    link.axis = principal;
+    link.sign = link.axis_L[principal];
+    return;
   }
-  // KDL defines the tip at joint value 0, which would cancel the joint's offset.
-  link.segment = KDL::Segment(link.joint_name, joint, joint.pose(0) * X_tip);
+  const Eigen::Matrix3d R_LZ = geometry::turn_from_z(link.axis_L).toRotationMatrix();
+  link.X_PJ.linear() *= R_LZ;
+  link.R_JL = R_LZ.transpose();
+  link.is_axis_turned = true;
 }
 
 Link read_link(const urdf::ModelInterface& urdf, const urdf::Joint& joint,
@@ -241,8 +226,9 @@ void read_links(const urdf::ModelInterface& urdf, const UrdfTree& tree, Robot::M
   model.frame_names.push_back(tree.root);
   for (const std::string& name : tree.joints) {
     const urdf::JointConstSharedPtr joint = urdf.getJoint(name);
-    model.links.push_back(read_link(urdf, *joint, model));
-    compare_limits(*joint, model.links.back(), model);
+    Link& link = model.links.emplace_back(read_link(urdf, *joint, model));
+    link.is_parent_turned = link.X_PJ.linear() != Eigen::Matrix3d::Identity();
+    compare_limits(*joint, link, model);
     model.frame_names.push_back(joint->child_link_name);
   }
 }

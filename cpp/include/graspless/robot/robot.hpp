@@ -118,7 +118,7 @@ class GRASPLESS_API Robot {
   /// checking. For a link without shapes: its origin.
   const Eigen::VectorXd& reach(int link) const;
 
-  struct Model;  // KDL segments and tables made from them; not part of the interface
+  struct Model;  // links, and tables made from them; not part of the interface
   const Model& model() const { return *model_; }
   /// Identity shared by all copies of one robot; expires with the last copy.
   std::weak_ptr<const void> identity() const { return model_; }
