@@ -44,6 +44,8 @@ void require_pose(const Eigen::Isometry3d& X, const std::string& what) {
 }
 
 Eigen::Vector3d half_in_world(const Core& core, const Eigen::Matrix3d& R_WC) {
+  if (core.is_exact_segment)
+    return ((R_WC.col(2).cwiseAbs() * core.half.z()).array() + core.radius).matrix();
   return ((R_WC.cwiseAbs() * core.half).array() + core.radius).matrix();
 }
 
@@ -76,9 +78,10 @@ double oriented_bound(const Core& a, const Placement& at_a, const Core& b, const
 }
 
 double shape_distance_bound(const Core& a, const Placement& at_a, const Core& b,
-                            const Placement& at_b, const Eigen::Vector3d& shift_W) {
+                            const Placement& at_b, const Eigen::Vector3d& shift_W, double enough) {
   const Eigen::Vector3d p_ab_W = at_b.X_WC.translation() + shift_W - at_a.X_WC.translation();
   const double in_world = box_gap(p_ab_W, at_a.half_W + at_b.half_W);
+  if (in_world >= enough) return in_world;
   return std::max(in_world, oriented_bound(a, at_a, b, at_b, shift_W));
 }
 

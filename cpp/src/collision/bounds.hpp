@@ -50,8 +50,9 @@ double segment_distance(const Eigen::Vector3d& m_a, const Eigen::Vector3d& h_a,
 double oriented_bound(const Core& a, const Placement& at_a, const Core& b, const Placement& at_b,
                       const Eigen::Vector3d& shift_W);
 
-/// Returns the larger of oriented_bound and the distance of the axis-aligned boxes, at least 0.
+/// Returns the larger of oriented_bound and the distance of the axis-aligned boxes, at least 0. The
+/// latter alone if that is `enough`.
 double shape_distance_bound(const Core& a, const Placement& at_a, const Core& b,
-                            const Placement& at_b, const Eigen::Vector3d& shift_W);
+                            const Placement& at_b, const Eigen::Vector3d& shift_W, double enough);
 
 }  // namespace graspless::collision

@@ -32,6 +32,7 @@ Solid::Solid(const std::vector<geometry::PlacedShape>& shapes, const std::string
     data->shapes.push_back(
         make_collision_shape(shapes[i], what + " shapes[" + std::to_string(i) + "]"));
     data->radius = std::max(data->radius, shape_radius(data->shapes.back()));
+    data->has_enclosure |= data->shapes.back().enclosure != nullptr;
   }
   data_ = std::move(data);
 }

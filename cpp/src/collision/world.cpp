@@ -144,6 +144,7 @@ std::optional<std::pair<int, int>> World::first_collision() {
   poll();
   ++impl_->checks;
   for (const Pair& pair : impl_->pairs) {
+    if (impl_->is_far(pair)) continue;
     if (impl_->touch(pair) || impl_->swallows(pair)) return std::make_pair(pair.a, pair.b);
   }
   return std::nullopt;

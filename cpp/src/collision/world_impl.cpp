@@ -14,10 +14,12 @@ constexpr double kMargin = 1e-9;
 // Hulls hardly ever improve the bound of the boxes by this factor.
 constexpr double kFar = 2;
 
-bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W,
-             double margin = kMargin) {
-  const Eigen::Array3d gap = (b.middle + shift_W - a.middle).cwiseAbs() - a.half - b.half;
-  return (gap <= margin).all();
+inline bool overlap(const WorldBox& a, const WorldBox& b, const Eigen::Vector3d& shift_W,
+                    double margin = kMargin) {
+  const auto is_near = [&](int i) {
+    return std::abs(b.middle[i] + shift_W[i] - a.middle[i]) - a.half[i] - b.half[i] <= margin;
+  };
+  return is_near(2) && is_near(0) && is_near(1);
 }
 
 Eigen::Isometry3d relative(const Placement& at_a, const Placement& at_b,
@@ -59,7 +61,7 @@ void World::Impl::place(int body) {
   Eigen::Vector3d high = -low;
   Placement* at = &placements[first_placement[body]];
   for (const CollisionShape& shape : bodies[body].solid.data().shapes) {
-    at->X_WC = poses[body] * shape.X_BC;
+    at->X_WC.matrix().noalias() = poses[body].matrix() * shape.X_BC.matrix();
     at->half_W = half_in_world(shape.core, at->X_WC.linear());
     low = low.cwiseMin(at->X_WC.translation() - at->half_W);
     high = high.cwiseMax(at->X_WC.translation() + at->half_W);
@@ -96,9 +98,13 @@ bool World::Impl::fcl_touch(const CollisionShape& a, const Placement& at_a, cons
   return touch != Touch::no;
 }
 
+bool World::Impl::is_far(const Pair& pair) const {
+  return !overlap(boxes[pair.a], boxes[pair.b], pair.shift_W, pair.clearance + kMargin);
+}
+
 bool World::Impl::touch(const Pair& pair) {
+  if (is_far(pair)) return false;
   const double margin = pair.clearance + kMargin;
-  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W, margin)) return false;
   return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
                               Witnesses& witnesses) {
     const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
@@ -128,7 +134,9 @@ bool World::Impl::touch_by_fcl(const Pair& pair) {
 /// True if a shape of either body lies within a closed surface of the other. The bodies must not
 /// touch, so that one point tells where a connected shape lies.
 bool World::Impl::swallows(const Pair& pair) const {
-  if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
+  const bool has_surface =
+      bodies[pair.a].solid.data().has_enclosure || bodies[pair.b].solid.data().has_enclosure;
+  if (!has_surface || !overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
   const auto contains = [](const CollisionShape& outer, const CollisionShape& inner,
                            const Eigen::Isometry3d& X_OI) {
     const auto has = [&](const Eigen::Vector3d& p_O) {
@@ -157,7 +165,7 @@ double World::Impl::bound(const Pair& pair, double enough, bool tight) const {
   any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
                        Witnesses& witnesses) {
     const double wanted = std::min(enough, least);
-    double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W);
+    double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W, wanted);
     const bool has_hulls = tight || a.hulls->is_of_mesh || b.hulls->is_of_mesh;
     if (bound < wanted && has_hulls && !(bound > 0 && kFar * bound < wanted)) {
       const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);

@@ -18,7 +18,8 @@ namespace graspless::collision {
 
 struct Solid::Data {
   std::vector<CollisionShape> shapes;
-  double radius = 0;  ///< largest distance of a point from the body's origin [m]
+  double radius = 0;           ///< largest distance of a point from the body's origin [m]
+  bool has_enclosure = false;  ///< of one of the shapes
 };
 
 struct Body {
@@ -62,6 +63,8 @@ struct World::Impl {
   bool any_shapes(const Pair& pair, Visit visit) const;
   bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
                  const Placement& at_b, const Eigen::Vector3d& shift_W);
+  /// True if the bodies' boxes show that a pair neither touches nor swallows.
+  bool is_far(const Pair& pair) const;
   bool touch(const Pair& pair);
   bool touch_by_fcl(const Pair& pair);
   bool swallows(const Pair& pair) const;
