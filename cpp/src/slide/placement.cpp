@@ -17,16 +17,44 @@ namespace {
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr Eigen::Index kPolled = 256;  // points between two polls
-constexpr double kSurely = 1 - 1e-6;   // of a square distance
 constexpr double kLeastReach = 0.02;   // of fingers that close on an edge [m]
 
-geometry::Polygon::Edge draw_edge(const Support& support, std::mt19937_64& rng) {
-  const geometry::Polygon& Q = support.polygon();
-  std::vector<double> lengths;
-  for (int i = 0; i < Q.size(); ++i) {
-    lengths.push_back(support.is_usable(i) ? (Q.edge(i).b - Q.edge(i).a).norm() : 0);
+/// Returns the points of the object that are not over the support, in S.
+Points points_off(const Problem& problem, const Planar& object_S) {
+  constexpr double kSurely = 1e-9;  // [m]
+  const geometry::Polygon& Q = problem.support.polygon();
+  const Object& object = problem.object;
+  const Eigen::Vector2d com = object.com().head<2>(), middle = object_S * com;
+  const double radius = (object.outermost().colwise() - com).colwise().norm().maxCoeff();
+  // On a convex support, the lines through the few edges that are near decide, except on an edge.
+  const bool is_convex = Q.is_convex();
+  std::vector<Eigen::Vector3d> near;  // x, y and 1 times this: distance from the line, inwards
+  for (int i = 0; is_convex && i < Q.size(); ++i) {
+    const geometry::Polygon::Edge edge = Q.edge(i);
+    const double inside = edge.inward.dot(middle - edge.a);
+    if (inside <= radius + kSurely)
+      near.emplace_back(edge.inward.x(), edge.inward.y(), -edge.inward.dot(edge.a));
   }
-  return Q.edge(std::discrete_distribution<int>(lengths.begin(), lengths.end())(rng));
+  const auto depth = [&](const Eigen::Vector2d& p) {
+    if (!is_convex) return Q.depth(p);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& line : near)
+      least = std::min(least, line.x() * p.x() + line.y() * p.y() + line.z());
+    return least;
+  };
+  Points off;
+  const Eigen::Matrix2Xd& points = object.points();
+  Eigen::Vector2d known = middle;
+  double reach = depth(known);  // points within this distance of it are on the same side
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (i % kPolled == 0) poll();
+    const Eigen::Vector2d p = object_S * Eigen::Vector2d(points.col(i));
+    const double sure = std::max(0.0, std::abs(reach) - kSurely);
+    if ((p - known).squaredNorm() >= sure * sure) reach = depth(known = p);
+    const bool is_sure = std::abs(reach) > kSurely;
+    if (is_sure ? reach < 0 : !Q.contains(p)) off.push_back(p);
+  }
+  return off;
 }
 
 // Points at most this many spacings apart belong to one part. A position is on the object if a
@@ -142,17 +170,7 @@ bool is_supported(const Problem& problem, const Planar& object_S, double margin)
 Placement placement(const Problem& problem, const Options& options, const Planar& object_S) {
   const geometry::Polygon& Q = problem.support.polygon();
   Placement result;
-  Points out;  // P_out
-  const Eigen::Matrix2Xd& points = problem.object.points();
-  const Eigen::Vector2d com = problem.object.com().head<2>();
-  const double depth = Q.depth(object_S * com);  // a disc around it is on the support
-  const double surely = depth > 0 ? kSurely * depth * depth : 0;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    if (i % kPolled == 0) poll();
-    if ((points.col(i) - com).squaredNorm() < surely) continue;
-    const Eigen::Vector2d p = object_S * Eigen::Vector2d(points.col(i));
-    if (!Q.contains(p)) out.push_back(p);
-  }
+  Points out = points_off(problem, object_S);  // P_out
   result.sticks_out = !out.empty();
   if (!result.sticks_out) return result;
   const bool is_over_usable_edges = !problem.support.has_unusable_edges() ||
@@ -196,9 +214,13 @@ Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
   return problem.support.X_WS() * X_SH;
 }
 
-std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
-                                          std::mt19937_64& rng) {
-  return draw_graspable_pose(problem, options, draw_edge(problem.support, rng), rng);
+std::discrete_distribution<int> usable_edges(const Support& support) {
+  std::vector<double> lengths;
+  for (int i = 0; i < support.polygon().size(); ++i) {
+    const geometry::Polygon::Edge edge = support.polygon().edge(i);
+    lengths.push_back(support.is_usable(i) ? (edge.b - edge.a).norm() : 0);
+  }
+  return {lengths.begin(), lengths.end()};
 }
 
 std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,

@@ -66,15 +66,15 @@ GRASPLESS_API bool is_supported(const Problem& problem, const Planar& object_S, 
 Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll,
                              double back = 0);
 
-/// Draws an object pose that is valid by construction: over a random edge, at a random yaw, with an
+/// Indices of the support's edges over which objects may stick out, in proportion to their length.
+GRASPLESS_API std::discrete_distribution<int> usable_edges(const Support& support);
+
+/// Draws an object pose that is valid by construction: over an edge, at a random yaw, with an
 /// overhang between u* and the largest that keeps the centre of mass inside. Returns nothing if
 /// this draw leaves no such overhang.
-std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
-                                          std::mt19937_64& rng);
-
-/// The same, over a given edge.
-std::optional<Planar> draw_graspable_pose(const Problem& problem, const Options& options,
-                                          const geometry::Polygon::Edge& edge,
-                                          std::mt19937_64& rng);
+GRASPLESS_API std::optional<Planar> draw_graspable_pose(const Problem& problem,
+                                                        const Options& options,
+                                                        const geometry::Polygon::Edge& edge,
+                                                        std::mt19937_64& rng);
 
 }  // namespace graspless::slide

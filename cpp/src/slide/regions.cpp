@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
-#include <vector>
 
 #include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/vector_states.hpp"
@@ -160,6 +158,7 @@ GoalRegion::GoalRegion(const ob::SpaceInformationPtr& si, Query& query, Motions&
     : planning::SampleableRegion(si),
       query_(query),
       motions_(motions),
+      edges_(usable_edges(query.problem.support)),
       has_one_start_(at != nullptr) {
   if (!at || !at->X_WO_goal) return;
   const Planar goal = planar(query.X_WS.inverse() * *at->X_WO_goal);
@@ -265,7 +264,8 @@ std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& 
     return std::nullopt;
   }
   const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;
-  if (query_.problem.support.polygon().depth(contact.translation()) < query_.options.tip_margin) {
+  const geometry::Polygon& Q = query_.problem.support.polygon();
+  if (!Q.has_margin(contact.translation(), query_.options.tip_margin)) {
     query_.refuse("goal: fingertip off the support");
     return std::nullopt;
   }
@@ -276,10 +276,10 @@ std::optional<Planar> GoalRegion::draw_graspable() const {
   const int drawn = num_drawn_++;
   if (query_.object_end) return query_.object_end;
   if (former_ && drawn < kFormer) return former_;
-  if (former_ && drawn < kFormer + kFormerEdge) {
-    return draw_graspable_pose(query_.problem, query_.options, former_edge_, query_.rng);
-  }
-  return draw_graspable_pose(query_.problem, query_.options, query_.rng);
+  const bool is_former = former_ && drawn < kFormer + kFormerEdge;
+  const geometry::Polygon::Edge edge =
+      is_former ? former_edge_ : query_.problem.support.polygon().edge(edges_(query_.rng));
+  return draw_graspable_pose(query_.problem, query_.options, edge, query_.rng);
 }
 
 /// Draws the free joint of a partner: that of its start; if there is no other, later ones near it.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "graspless/planning/sampleable_region.hpp"
@@ -65,6 +66,7 @@ class GRASPLESS_API GoalRegion : public planning::SampleableRegion {
 
   Query& query_;
   Motions& motions_;
+  mutable std::discrete_distribution<int> edges_;  ///< to stick out over
   bool has_one_start_;
   std::optional<Planar> former_;  ///< goal pose of the object in S, if it is over an edge
   geometry::Polygon::Edge former_edge_{};

@@ -50,6 +50,38 @@ TEST(Object, SharesItsPointsWithItsCopies) {
   EXPECT_EQ(object.with_com({0.01, 0, 0}).depths().data(), object.depths().data());
 }
 
+TEST(Placement, SticksOutByThePointsThatTheSupportDoesNotContain) {
+  std::vector<Support> supports = tables();
+  supports.emplace_back(
+      geometry::Polygon(columns({{.3, -.35}, {1, -.35}, {1, 0}, {.65, 0}, {.65, .35}, {.3, .35}})),
+      Eigen::Isometry3d::Identity());
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> x(.25, 1.05), y(-.4, .4), yaw(-3, 3);
+  int num_out = 0;
+  for (const Support& support : supports) {
+    const Problem problem = make_problem(support, objects()[1], flat(.6, -.1, 0));
+    const Eigen::Matrix2Xd& points = problem.object.points();
+    for (int i = 0; i < 500; ++i) {
+      const Planar object_S = at(x(rng), y(rng), yaw(rng));
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+      int count = 0;
+      for (const auto& p_O : points.colwise()) {
+        const Eigen::Vector2d p = object_S * Eigen::Vector2d(p_O);
+        if (support.polygon().contains(p)) continue;
+        sum += p;
+        ++count;
+      }
+      const Placement place = placement(problem, Options{}, object_S);
+      EXPECT_EQ(place.sticks_out, count > 0);
+      num_out += count > 0;
+      if (&support == &supports[1] && count > 0 && count < points.cols() / 2) {
+        EXPECT_NEAR((place.out_center - sum / count).norm(), 0, 1e-12);  // a crescent
+      }
+    }
+  }
+  EXPECT_GT(num_out, 500);
+}
+
 TEST(Placement, OfTwoProngsTakesTheLonger) {
   const geometry::Polygon fork(columns({{-.06, -.05},
                                         {.06, -.05},
@@ -69,12 +101,14 @@ TEST(Placement, OfTwoProngsTakesTheLonger) {
 TEST(Placement, DrawnPosesAreValidByConstruction) {
   std::mt19937_64 rng(1);
   for (const Support& table : tables()) {
+    std::discrete_distribution<int> edges = usable_edges(table);
     for (const Object& object : objects()) {
       const Problem problem = make_problem(table, object, flat(0.6, 0, 0));
       const Options options;
       int drawn = 0, valid = 0;
       for (int i = 0; i < 200; ++i) {
-        const auto pose = draw_graspable_pose(problem, options, rng);
+        const geometry::Polygon::Edge edge = table.polygon().edge(edges(rng));
+        const auto pose = draw_graspable_pose(problem, options, edge, rng);
         if (!pose) continue;
         ++drawn;
         const Placement place = placement(problem, options, *pose);
@@ -89,7 +123,8 @@ TEST(Placement, DrawnPosesAreValidByConstruction) {
 TEST(Placement, ADiscOfFiveCentimetresCannotStickOutEnoughWithTheMargin) {
   const Problem problem = make_problem(tables()[0], objects()[1].scaled(0.5), flat(0.6, 0, 0));
   std::mt19937_64 rng(1);
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(draw_graspable_pose(problem, Options{}, rng));
+  const geometry::Polygon::Edge edge = problem.support.polygon().edge(0);
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(draw_graspable_pose(problem, Options{}, edge, rng));
 }
 
 TEST(Placement, GraspPoseIsLevelAndFacesTheEdge) {

@@ -90,9 +90,9 @@ Eigen::Vector2d Polygon::centroid() const {
 }
 
 bool Polygon::is_convex() const {
+  const auto corner = [&](int i) { return vertices_.col(i < size() ? i : i - size()); };
   for (int i = 0; i < size(); ++i) {
-    const Edge e = edge(i);
-    if (cross(e.b - e.a, vertices_.col((i + 2) % size()) - e.b) < 0) return false;
+    if (cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i + 1)) < 0) return false;
   }
   return true;
 }
@@ -116,6 +116,18 @@ double Polygon::depth(const Eigen::Vector2d& p) const {
     nearest = std::min(nearest, squared_distance_to_segment(p, vertices_.col(j), vertices_.col(i)));
   }
   return contains(p) ? std::sqrt(nearest) : -std::sqrt(nearest);
+}
+
+bool Polygon::has_margin(const Eigen::Vector2d& p, double margin) const {
+  constexpr double kSurely = 1 + 1e-9;
+  if (!contains(p)) return false;
+  for (int i = 0, j = size() - 1; i < size(); j = i++) {
+    const Eigen::Vector2d a = vertices_.col(j), b = vertices_.col(i), ab = b - a;
+    const double area = cross(ab, p - a);  // distance from the line times the length
+    if (area * area >= kSurely * margin * margin * ab.squaredNorm()) continue;
+    if (std::sqrt(squared_distance_to_segment(p, a, b)) < margin) return false;
+  }
+  return true;
 }
 
 Polygon::Edge Polygon::edge(int index) const {

@@ -45,6 +45,25 @@ TEST(Polygon, DepthIsTheSignedDistanceToTheBoundary) {
   }
 }
 
+TEST(Polygon, HasAMarginWhereItIsDeeper) {
+  std::mt19937_64 rng(6);
+  int with = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Polygon polygon = random_star(rng);
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Vector2d p = random_point(polygon, rng);
+      const double margin = std::uniform_real_distribution<double>(0, 0.05)(rng);
+      EXPECT_EQ(polygon.has_margin(p, margin), polygon.depth(p) >= margin);
+      with += polygon.has_margin(p, margin);
+    }
+    const Polygon::Edge edge = polygon.edge(0);
+    const Eigen::Vector2d beside = (edge.a + edge.b) / 2 + 1e-6 * edge.inward;
+    EXPECT_TRUE(polygon.has_margin(beside, 0.9e-6));
+    EXPECT_FALSE(polygon.has_margin(beside, 1.1e-6));
+  }
+  EXPECT_GT(with, 1000);
+}
+
 TEST(Polygon, NearestEdgeHasItsNormalInside) {
   std::mt19937_64 rng(3);
   for (int i = 0; i < 100; ++i) {
