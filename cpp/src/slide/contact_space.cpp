@@ -121,8 +121,8 @@ Tip ContactSpace::tip_at(const Eigen::VectorXd& arm) {
   return tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
 }
 
-Planar ContactSpace::effective_tip_at(const Eigen::VectorXd& arm) {
-  return effective_tip(problem_.hand, tip_at(arm), top_, options_.pitch);
+Planar ContactSpace::effective(const Tip& tip) const {
+  return effective_tip(problem_.hand, tip, top_, options_.pitch);
 }
 
 bool ContactSpace::keeps_contact(Planar& effective) const {
@@ -131,10 +131,9 @@ bool ContactSpace::keeps_contact(Planar& effective) const {
   if (!projection_.is_satisfied(value)) return false;
   const Tip now = tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
   if (!now.other_finger_up) return false;
-  effective = effective_tip(problem_.hand, now, top_, options_.pitch);
+  effective = this->effective(now);
   const geometry::Polygon& Q = problem_.support.polygon();
-  return Q.contains(now.position) && Q.contains(effective.translation()) &&
-         (options_.tip_margin == 0 || Q.depth(effective.translation()) >= options_.tip_margin);
+  return Q.contains(now.position) && Q.has_margin(effective.translation(), options_.tip_margin);
 }
 
 scene::Scene& ContactSpace::scene_with_object_at(const Planar& object_S) {

@@ -74,7 +74,8 @@ class GRASPLESS_API ContactSpace {
 
   /// The commanded tip at a configuration.
   Tip tip_at(const Eigen::VectorXd& arm);
-  Planar effective_tip_at(const Eigen::VectorXd& arm);
+  Planar effective_tip_at(const Eigen::VectorXd& arm) { return effective(tip_at(arm)); }
+  Planar effective(const Tip& tip) const;
   /// The object's pose at a configuration of the slide, Eq. (2).
   Planar carry(const Carried& carried, const Eigen::VectorXd& arm) {
     return object_pose(effective_tip_at(arm), carried.tip_start, carried.object_start);

@@ -117,7 +117,7 @@ int Motions::search_iterations() const {
 // Along the retreat line, on which the effective contact does not move, then straight up.
 std::optional<Path> Motions::lift_from(const Eigen::VectorXd& pressed, const Planar& object_S) {
   const Tip tip = query_.contact.tip_at(pressed);
-  const Planar contact = query_.contact.effective_tip_at(pressed);
+  const Planar contact = query_.contact.effective(tip);
   const double depth = query_.top - tip.height;
   std::vector<Eigen::Isometry3d> poses;
   const int press_steps = pieces(depth, kPressStep);
@@ -145,22 +145,22 @@ std::optional<Path> Motions::rise_from(const Eigen::VectorXd& start, const Plana
 /// lift, also halfway between waypoints, and just above, where check() still calls it a contact.
 bool Motions::stands_still(const Path& lift, int steps, const Planar& contact) {
   constexpr double kTurn = 8e-4;  // [rad]
-  const auto is_still = [&](const Eigen::VectorXd& arm) {
-    const Planar now = query_.contact.effective_tip_at(arm);
+  const auto is_still = [&](const Tip& tip) {
+    const Planar now = query_.contact.effective(tip);
     return (now.translation() - contact.translation()).norm() <= kStill &&
            (now.linear() - contact.linear()).col(0).norm() <= kTurn &&
-           std::abs(query_.contact.tip_at(arm).roll) <= 0.9 * kRollTolerance;
+           std::abs(tip.roll) <= 0.9 * kRollTolerance;
   };
   const auto top = static_cast<std::size_t>(steps);
   for (std::size_t i = 1; i <= top; ++i) {
-    if (!is_still((lift[i - 1] + lift[i]) / 2)) return false;
+    if (!is_still(query_.contact.tip_at((lift[i - 1] + lift[i]) / 2))) return false;
   }
   if (top + 1 >= lift.size()) return true;
   constexpr int kSamples = 20;
   for (int k = 1; k <= kSamples; ++k) {
-    const Eigen::VectorXd arm = lift[top] + (lift[top + 1] - lift[top]) * k / kSamples;
-    if (query_.contact.tip_at(arm).height > query_.top + kHeightTolerance) break;
-    if (!is_still(arm)) return false;
+    const Tip tip = query_.contact.tip_at(lift[top] + (lift[top + 1] - lift[top]) * k / kSamples);
+    if (tip.height > query_.top + kHeightTolerance) break;
+    if (!is_still(tip)) return false;
   }
   return true;
 }
@@ -196,16 +196,21 @@ bool Motions::find_reach(Handling& handling) {
     if (query_.clock.is_out()) return false;
     Handling grasped = handling;
     if (!add_grasp(candidate, grasped)) continue;
-    if (add_reach(grasped, 0)) {
+    if (!add_reach(grasped, 0)) {
+      unreached.push_back(std::move(grasped));
+    } else if (add_close(grasped)) {
       handling = std::move(grasped);
       return true;
     }
-    unreached.push_back(std::move(grasped));
   }
-  for (std::size_t i = 0; i < std::min(kSearchedCandidates, unreached.size()); ++i) {
+  std::size_t searched = 0;
+  for (Handling& grasped : unreached) {
     if (query_.clock.is_out()) return false;
-    if (add_reach(unreached[i], search_iterations())) {
-      handling = std::move(unreached[i]);
+    if (searched == kSearchedCandidates) break;
+    if (!add_close(grasped)) continue;
+    ++searched;
+    if (add_reach(grasped, search_iterations())) {
+      handling = std::move(grasped);
       return true;
     }
   }
@@ -226,12 +231,15 @@ bool Motions::add_grasp(const GraspConfiguration& grasp, Handling& handling) {
     query_.refuse("pair: straight approach");
     return false;
   }
-  const auto close = close_hand(grasp.arm);
-  if (!close) return false;
   handling.grasp = Path(out->rbegin(), out->rend());
-  handling.close = *close;
   handling.X_WH = grasp_pose(query_.problem, handling.placement, grasp.roll, -grasp.deep);
   return true;
+}
+
+bool Motions::add_close(Handling& handling) {
+  auto close = close_hand(handling.grasp.back());
+  if (close) handling.close = std::move(*close);
+  return close.has_value();
 }
 
 bool Motions::add_reach(Handling& handling, int iterations) {

@@ -79,6 +79,7 @@ class GRASPLESS_API Motions {
   bool find_reach(Handling& handling);
   bool add_grasp(const GraspConfiguration& grasp, Handling& handling);
   bool add_reach(Handling& handling, int iterations);
+  bool add_close(Handling& handling);
   std::optional<planning::Path> free_path(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                           int iterations);
   std::optional<std::vector<Eigen::VectorXd>> close_hand(const Eigen::VectorXd& arm);
