@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import TaskError, files, slide
+from graspless import TaskError, files, frames, slide
 from graspless.plan_files.slide import SlidePlanFile
 from tasks_common import GOOD, changed, reread, without_clock
 
@@ -70,6 +70,18 @@ def test_file_has_the_planner_s_own_numbers(task):
     assert plan.overhang == found.overhang
     assert plan.status is found.status
     assert plan.statistics.nodes == found.statistics.nodes
+
+
+def test_poses_are_converted_at_once(task, monkeypatch):
+    calls = []
+    for name in ("to_quaternion", "from_quaternion"):
+        convert = getattr(frames, name)
+        monkeypatch.setattr(
+            frames, name, lambda X, name=name, convert=convert: calls.append(name) or convert(X)
+        )
+    again = graspless.plan(task, iterations=5000)
+    assert calls == ["to_quaternion", "from_quaternion"]
+    assert again
 
 
 def test_same_seed_gives_the_same_file(task, plan):

@@ -11,8 +11,18 @@ an attribute of the plan, and an argument of its constructor, of the same name (
 from __future__ import annotations
 
 from functools import cache, reduce
+from itertools import islice
 from operator import or_
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, get_args, get_origin
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NamedTuple,
+    get_args,
+    get_origin,
+)
 
 import numpy as np
 from pydantic import BaseModel, Discriminator, Field, TypeAdapter
@@ -24,7 +34,9 @@ from ..tasks.shapes import Fields
 from .proof import ProofFields
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
+
+    from ..frames import Matrix
 
 PoseRow = Annotated[list[float], Field(min_length=7, max_length=7)]
 HEAD = ("format", "kind", "version", "seed", "stats", "proof", "task")
@@ -61,20 +73,67 @@ def table(kind: str) -> type[PlanFields]:
     return file
 
 
-def fields_of(
-    found: Any, model: type[Table], changes: dict[str, Any] | None = None
-) -> dict[str, Any]:
-    """Returns the fields of a struct in plain types; None is left out, and so is the head."""
-    fields = {}
+class Column(NamedTuple):
+    """Field of a table, as both directions need it."""
+
+    name: str
+    attribute: str
+    is_pose: bool
+    is_list: bool  # of structs, or of poses
+    is_matrix: bool
+    inner: type[Table] | None
+
+
+@cache
+def columns(model: type[Table]) -> list[Column]:
+    """Returns the fields of a table without the head."""
+    found = []
     for name, field in model.model_fields.items():
-        if name == "stats":
-            fields[name] = found.statistics.as_dict()
-        if name in HEAD:
+        if name not in HEAD:
+            kind, inner = field.annotation, _table_in(field.annotation)
+            is_pose = name.startswith("X_") or name == "object_poses"
+            is_list = _is_list(kind, of=list) if is_pose else _is_list(kind)
+            attribute = model.ATTRIBUTES.get(name, name)
+            is_matrix = kind == list[list[float]]
+            found.append(Column(name, attribute, is_pose, is_list, is_matrix, inner))
+    return found
+
+
+def fields_of(
+    found: Any, model: type[PlanFields], changes: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """Returns the fields of a plan in plain types; None is left out, and so is the head."""
+    poses: list[tuple[list[Any], Matrix]] = []
+    fields = {"stats": found.statistics.as_dict()}
+    fields |= _fields(found, model, changes or {}, poses)
+    every = [X.reshape(-1, 4, 4) for _, X in poses]  # converted at once: many are of one row
+    rows = iter(frames.to_rows(np.concatenate(every)) if every else ())
+    for row, X in poses:
+        row += islice(rows, len(X)) if X.ndim == 3 else next(rows)
+    return fields
+
+
+def _fields(
+    found: Any,
+    model: type[Table],
+    changes: dict[str, Any],
+    poses: list[tuple[list[Any], Matrix]],
+) -> dict[str, Any]:
+    """Returns the fields of a struct. Lists of rows are empty, and added to `poses`."""
+    fields: dict[str, Any] = {}
+    for column in columns(model):
+        value = changes.get(column.name, getattr(found, column.attribute, None))
+        if value is None:
             continue
-        attribute = model.ATTRIBUTES.get(name, name)
-        value = (changes or {}).get(name, getattr(found, attribute, None))
-        if value is not None:
-            fields[name] = _plain(name, value, field.annotation)
+        if column.is_pose:
+            poses.append(([], np.asarray(value, dtype=float)))
+            fields[column.name] = poses[-1][0]
+        elif column.inner is None:
+            fields[column.name] = _numbers(value)
+        elif column.is_list:
+            fields[column.name] = [_fields(item, column.inner, {}, poses) for item in value]
+        else:
+            fields[column.name] = _fields(value, column.inner, {}, poses)
     return fields
 
 
@@ -84,22 +143,53 @@ def fill(plan: Any, fields: dict[str, Any], model: type[PlanFields]) -> None:
     known = plan.statistics.as_dict()
     stats = {name: value for name, value in fields["stats"].items() if name in known}
     plan.statistics = type(plan.statistics)(**stats)
-    for name, field in model.model_fields.items():
-        if name not in (*HEAD, "status") and fields.get(name) is not None:
-            value = _built(name, fields[name], field.annotation)
-            setattr(plan, model.ATTRIBUTES.get(name, name), value)
+    given = {name: value for name, value in fields.items() if name != "status"}
+    for attribute, value in _attributes(given, model, _poses_in(given, model)).items():
+        setattr(plan, attribute, value)
 
 
-def _plain(name: str, value: Any, annotation: Any) -> Any:
-    if _is_pose(name):
-        X = np.asarray(value)
-        return frames.to_row(X) if X.ndim == 2 else frames.to_rows(X)
-    inner = _table_in(annotation)
-    if inner is not None and _is_list(annotation):
-        return [fields_of(item, inner) for item in value]
-    if inner is not None:
-        return fields_of(value, inner)
-    return _numbers(value)
+def _poses_in(fields: dict[str, Any], model: type[Table]) -> Iterator[Matrix]:
+    """Yields the values of all fields of poses, which are converted at once."""
+    given = list(_pose_fields(fields, model))
+    every = frames.from_rows([row for rows, _ in given for row in rows])
+    end = 0
+    for rows, is_list in given:
+        begin, end = end, end + len(rows)
+        yield every[begin:end] if is_list else every[begin]
+
+
+def _pose_fields(fields: dict[str, Any], model: type[Table]) -> Iterator[tuple[list[Any], bool]]:
+    """Yields the rows of each field of poses, and if it is a list."""
+    for name, _, is_pose, is_list, _, inner in columns(model):
+        value = fields.get(name)
+        if value is None:
+            continue
+        if is_pose:
+            yield value if is_list else [value], is_list
+        elif inner is not None:
+            for item in value if is_list else [value]:
+                yield from _pose_fields(item, inner)
+
+
+def _attributes(
+    fields: dict[str, Any], model: type[Table], poses: Iterator[Matrix]
+) -> dict[str, Any]:
+    """Returns the attributes of a struct, with the next ones of `poses`."""
+    attributes: dict[str, Any] = {}
+    for name, attribute, is_pose, is_list, is_matrix, inner in columns(model):
+        value = fields.get(name)
+        if value is None:
+            continue
+        if is_pose:
+            value = next(poses)
+        elif inner is not None and is_list:
+            value = [inner.MAKE(**_attributes(item, inner, poses)) for item in value]
+        elif inner is not None:
+            value = inner.MAKE(**_attributes(value, inner, poses))
+        elif is_matrix and not value:
+            value = np.zeros((0, 0))
+        attributes[attribute] = value
+    return attributes
 
 
 def _numbers(value: Any) -> Any:
@@ -109,33 +199,6 @@ def _numbers(value: Any) -> Any:
     return plain(value)
 
 
-def _built(name: str, value: Any, annotation: Any) -> Any:
-    if _is_pose(name):
-        return frames.from_rows(value) if _is_list(annotation, of=list) else frames.from_row(value)
-    inner = _table_in(annotation)
-    if inner is not None and _is_list(annotation):
-        return [_struct(item, inner) for item in value]
-    if inner is not None:
-        return _struct(value, inner)
-    if annotation == list[list[float]] and not value:
-        return np.zeros((0, 0))
-    return value
-
-
-def _struct(fields: dict[str, Any], model: type[Table]) -> Any:
-    given = {
-        model.ATTRIBUTES.get(name, name): _built(name, fields[name], field.annotation)
-        for name, field in model.model_fields.items()
-        if fields.get(name) is not None
-    }
-    return model.MAKE(**given)
-
-
-def _is_pose(name: str) -> bool:
-    return name.startswith("X_") or name == "object_poses"
-
-
-@cache
 def _is_list(annotation: Any, of: Any = None) -> bool:
     """True of list[...]; with `of`, of a list of such."""
     if get_origin(annotation) is not list:
@@ -145,7 +208,6 @@ def _is_list(annotation: Any, of: Any = None) -> bool:
     return of is None or get_origin(item) is of
 
 
-@cache
 def _table_in(annotation: Any) -> type[Table] | None:
     if isinstance(annotation, type) and issubclass(annotation, Table):
         return annotation
@@ -169,7 +231,8 @@ def require_rows(
 def require_unit_quaternions(rows: list[list[float]]) -> None:
     """Raises unless every row is a pose: x y z qw qx qy qz."""
     for row in rows:
-        if abs(sum(value * value for value in row[3:]) - 1) > 1e-6:
+        _, _, _, w, x, y, z = row
+        if abs(w * w + x * x + y * y + z * z - 1) > 1e-6:
             raise ValueError(f"quaternion {row[3:]} is not of unit length")
 
 

@@ -34,9 +34,9 @@ def _to_text(value: Any, indent: str = "") -> str:
     """JSON with one row of numbers a line: readable, and a quarter of the length of indent=1."""
     deeper = indent + " "
     if isinstance(value, dict) and value:
-        items = (f"{deeper}{json.dumps(key)}: {_to_text(v, deeper)}" for key, v in value.items())
+        items = (f"{deeper}{_encode(key)}: {_to_text(v, deeper)}" for key, v in value.items())
         return "{\n" + ",\n".join(items) + f"\n{indent}}}"
-    if isinstance(value, list) and any(isinstance(item, (list, dict)) for item in value):
+    if isinstance(value, list) and not {list, dict}.isdisjoint(map(type, value)):
         rows = _rows(value, deeper) or (deeper + _to_text(item, deeper) for item in value)
         return "[\n" + ",\n".join(rows) + f"\n{indent}]"
     return _encode(value)
@@ -44,7 +44,7 @@ def _to_text(value: Any, indent: str = "") -> str:
 
 def _rows(table: list[Any], indent: str) -> list[str] | None:
     """Returns the lines of a list of lists of numbers, by a single call of json; or None."""
-    if not all(isinstance(row, list) for row in table):
+    if set(map(type, table)) != {list}:
         return None
     text = _encode(table)
     if '"' in text or "{" in text or text.count("[") != len(table) + 1:

@@ -120,6 +120,8 @@ def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Pat
 def _named(value: Any, place: str = "") -> set[Path]:
     """Returns the mesh files that the fields of a task name. `place` is for errors."""
     if isinstance(value, list):
+        if value and isinstance(value[0], (int, float)):
+            return set()
         return set().union(*(_named(item, f"{place}[{i}]") for i, item in enumerate(value)))
     if not isinstance(value, dict):
         return set()

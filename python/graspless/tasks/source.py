@@ -199,6 +199,8 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             if len(place) > DEEPEST:
                 yield place[:3], f"nested deeper than {DEEPEST} levels"
                 return
+            if _is_row(value):
+                continue
             items = value.items() if isinstance(value, dict) else enumerate(value)
             for key, item in items:
                 if isinstance(key, str) and (what := _fault(key)):
@@ -209,6 +211,14 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
                     pending.append(((*place, key), item))
         elif what := _fault(value):
             yield place, what
+
+
+def _is_row(value: Any) -> bool:
+    """True of most lists of numbers that all lie within bounds; quick."""
+    if type(value) is not list or set(map(type, value)) != {float}:
+        return False
+    numbers: list[float] = value
+    return min(numbers) >= -LARGEST and max(numbers) <= LARGEST
 
 
 _CHECKED = {dict, list, tuple, int, float, str}

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from enum import Enum
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -111,10 +112,10 @@ def _shape(shape: Any) -> dict[str, Any]:
 def difference(a: Any, b: Any, place: str) -> str | None:
     """Returns the first place where two values of the core differ, or None."""
     if isinstance(a, np.ndarray):
-        same = a.shape == np.shape(b) and np.allclose(a, b, rtol=1e-9, atol=SAME, equal_nan=True)
+        same = a.shape == np.shape(b) and (np.array_equal(a, b) or _is_near(a, b))
         return None if same else place
     if isinstance(a, float):
-        return None if np.isclose(a, b, rtol=1e-9, atol=SAME, equal_nan=True) else place
+        return None if a == b or _is_near(a, b) else place
     if isinstance(a, dict):
         return _first(a, b, place, a) if a.keys() == b.keys() else place
     if isinstance(a, (list, tuple)):
@@ -123,16 +124,23 @@ def difference(a: Any, b: Any, place: str) -> str | None:
         return None if a == b else place
     if type(a) is not type(b):
         return place
-    bases = reversed(type(a).__mro__)
-    names = [
-        name for base in bases for name, value in vars(base).items() if isinstance(value, property)
-    ]
-    for name in names:
-        if name != "directory" and (
-            wrong := difference(getattr(a, name), getattr(b, name), f"{place}.{name}")
-        ):
+    kind: Any = type(a)
+    for name in _properties(kind):
+        if wrong := difference(getattr(a, name), getattr(b, name), f"{place}.{name}"):
             return wrong
     return None
+
+
+def _is_near(a: Any, b: Any) -> bool:
+    return bool(np.allclose(a, b, rtol=1e-9, atol=SAME, equal_nan=True))
+
+
+@cache
+def _properties(kind: Any) -> list[str]:
+    """Returns the names of a type's properties that tell its values apart."""
+    bases = reversed(kind.__mro__)
+    named = (pair for base in bases for pair in vars(base).items())
+    return [name for name, value in named if isinstance(value, property) and name != "directory"]
 
 
 def _first(a: Any, b: Any, place: str, keys: Any) -> str | None:
