@@ -15,6 +15,7 @@
 
 #include "fingertip/check/instant.hpp"
 #include "fingertip/check/stability.hpp"
+#include "mechanics/equilibrium/springs.hpp"
 
 /// check(): the promises of a plan, one function each. The formulas are written anew from the paper
 /// and the contract in fingertip.hpp, so that a mistake of the search cannot hide here. Of this
@@ -115,8 +116,8 @@ class Examination {
   const Verdict& judged(const Instant& instant);
   Verdict judge(const Instant& instant);
   void check_nominal(std::size_t segment, std::size_t row, const Instant& instant);
-  mechanics::Promise promise_of(const Instant& instant,
-                                const mechanics::Equilibrium& nominal) const;
+  mechanics::Promise promise_of(const Instant& instant, const mechanics::Equilibrium& nominal,
+                                const std::optional<mechanics::Sprung>& springs) const;
   void check_withstands(std::size_t segment, std::size_t row, const Instant& instant,
                         const Verdict& found);
   double drift(std::size_t segment, std::size_t row) const;
@@ -130,7 +131,8 @@ class Examination {
   double same_force_;   // [N]
   mechanics::Matrix6d wrench_scale_;
   Stabilities stabilities_;
-  std::vector<Verdict> verdicts_;  // of the instants seen so far
+  mechanics::LpBasis margin_basis_;  // of the last row
+  std::vector<Verdict> verdicts_;    // of the instants seen so far
   Faults faults_;
 };
 

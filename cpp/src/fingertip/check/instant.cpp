@@ -122,7 +122,7 @@ mechanics::LinearProgram balance(const Instant& instant) {
 }
 
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
-                                double tolerance) {
+                                double tolerance, mechanics::LpBasis& basis) {
   const mechanics::ContactSet& set = instant.set;
   const Matrix6Xd env = environment(set);
   Vector6d given = set.wrench_scale * set.known_wrench_O;
@@ -151,7 +151,7 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
     lp.set_block(row, first, cone);
     lp.set_block(row, 0, cone.rowwise().sum());
   }
-  const mechanics::LpSolution found = mechanics::solve_lp(lp);
+  const mechanics::LpSolution found = mechanics::solve_lp(lp, basis);
   if (found.status == mechanics::LpStatus::infeasible) return std::nullopt;
   return found.objective;
 }

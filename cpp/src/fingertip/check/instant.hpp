@@ -10,6 +10,7 @@
 #include "graspless/mechanics/friction_interval.hpp"
 #include "graspless/mechanics/stability.hpp"
 
+#include "mechanics/lp/basis.hpp"
 #include "mechanics/lp/program.hpp"
 
 namespace graspless::fingertip::checking {
@@ -39,8 +40,9 @@ mechanics::LinearProgram balance(const Instant& instant);
 
 /// Margin of given finger forces: the largest t such that some contact forces complete them to an
 /// equilibrium (residual at most `tolerance` [N, scaled]) with every cone coefficient, fingers'
-/// too, at least t. Empty if there is none with t >= 0, but for the tolerance.
+/// too, at least t. Empty if there is none with t >= 0, but for the tolerance. `basis` is where the
+/// search begins, and then where it has ended.
 std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& finger_forces_O,
-                                double tolerance);
+                                double tolerance, mechanics::LpBasis& basis);
 
 }  // namespace graspless::fingertip::checking

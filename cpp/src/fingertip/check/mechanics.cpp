@@ -127,12 +127,14 @@ Verdict Examination::judge(const Instant& instant) {
         instant.set, instant.modes, instant.commanded_forces, instant.surfaces, fingers,
         options_.min_stability, directions);
   }
-  verdict.nominal = mechanics::compliant_equilibrium(
-      instant.set, instant.modes, instant.commanded_forces, options_.compliance, directions);
+  const auto springs =
+      mechanics::sprung_along(instant.set, instant.modes, options_.compliance, directions);
+  verdict.nominal = mechanics::compliant_equilibrium(instant.set, instant.modes,
+                                                     instant.commanded_forces, springs);
   if (verdict.nominal) {
-    verdict.compliant_stability = mechanics::compliant_stability(
-        instant.set, instant.modes, *verdict.nominal, options_.compliance, directions);
-    verdict.promise = promise_of(instant, *verdict.nominal);
+    verdict.compliant_stability =
+        mechanics::compliant_stability(instant.set, *verdict.nominal, springs);
+    verdict.promise = promise_of(instant, *verdict.nominal, springs);
   }
   return verdict;
 }
@@ -182,11 +184,12 @@ double Examination::drift(std::size_t s, std::size_t r) const {
 
 /// The first number anew, the second by the planner's code.
 mechanics::Promise Examination::promise_of(const Instant& instant,
-                                           const mechanics::Equilibrium& nominal) const {
+                                           const mechanics::Equilibrium& nominal,
+                                           const std::optional<mechanics::Sprung>& springs) const {
   const Eigen::Matrix3Xd& hull = problem_.object.hull();
   mechanics::Promise promise =
       mechanics::promise(instant.set, instant.modes, nominal, options_.compliance,
-                         {hull, options_.max_yield}, options_.disturbance_directions);
+                         {hull, options_.max_yield}, options_.disturbance_directions, springs);
   promise.withstands = withstands_at(instant, nominal, options_, hull);
   return promise;
 }
@@ -203,7 +206,11 @@ void Examination::check_withstands(std::size_t s, std::size_t r, const Instant& 
       if (finger.touches) own.finger_forces_O.col(k++) = finger.nominal_force_O;
     }
     const double off = (own.finger_forces_O - found.nominal->finger_forces_O).norm();
-    if (off > 1e-3 * same_force_) holds = promise_of(instant, own);
+    if (off > 1e-3 * same_force_) {
+      holds = promise_of(instant, own,
+                         mechanics::sprung_along(instant.set, instant.modes, options_.compliance,
+                                                 options_.disturbance_directions));
+    }
   }
   const double left = std::max(0.0, holds.withstands - drift(s, r));
   if (holds.withstands > 0) holds.place_tolerance *= left / holds.withstands;
@@ -236,7 +243,7 @@ void Examination::check_nominal(std::size_t s, std::size_t r, const Instant& ins
   }
   Instant round = instant;
   round.set = mechanics::with_round_cones(round.set);
-  const auto margin = margin_of(round, forces_O, same_force_);
+  const auto margin = margin_of(round, forces_O, same_force_, margin_basis_);
   if (!margin) {
     fault(place(s, r), "nominal forces: out of cones or limits, or not in balance");
   } else if (row.nominal_margin > *margin + 2 * same_force_ || row.nominal_margin < 0) {

@@ -18,6 +18,10 @@ using mechanics::LinearProgram;
 constexpr double kRounding = 1e-10;  // of forces, relative to the largest
 constexpr double kSame = 1e-12;      // relative difference of two z that are the same
 
+constexpr int kMaxRows = 6 + static_cast<int>(mechanics::kMaxFingers);  // of balance()
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxRows, kMaxRows>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxRows, 1>;
+
 MatrixXd matrix_of(const LinearProgram& lp) {
   MatrixXd A = MatrixXd::Zero(lp.num_rows(), lp.num_variables());
   for (const auto& entry : lp.entries) A(entry.row(), entry.col()) = entry.value();
@@ -51,8 +55,9 @@ bool Stabilities::holds(const Support& support, const LinearProgram& lp, const M
     return false;
   const auto lower = Eigen::Map<const VectorXd>(lp.row_lower.data(), lp.num_rows());
   const auto upper = Eigen::Map<const VectorXd>(lp.row_upper.data(), lp.num_rows());
-  const MatrixXd carried = A(support.rows, support.columns);
-  const VectorXd most = upper(support.rows), carrying = carried.partialPivLu().solve(most);
+  if (support.rows.size() > kMaxRows) return false;
+  const Small carried = A(support.rows, support.columns);
+  const SmallVector most = upper(support.rows), carrying = carried.partialPivLu().solve(most);
   if (!carrying.allFinite() || carrying[0] < z * (1 - kSame)) return false;
   VectorXd x = VectorXd::Zero(A.cols());
   x(support.columns) = carrying;

@@ -39,29 +39,17 @@ struct Stiffness {
 class Springs {
  public:
   Springs(const Instant& instant, const mechanics::Equilibrium& nominal, const Options& options,
-          const Eigen::Matrix3Xd& corners_O, const Stiffness& ground)
+          const Eigen::Matrix3Xd& corners_O, const Matrix6Xd& pushes, const Stiffness& ground)
       : instant_(instant),
         set_(instant.set),
         nominal_(nominal),
         options_(options),
         ground_(kind_of(set_)) {
-    const Matrix6d unscaled = set_.wrench_scale.inverse();
     for (const mechanics::Contact& c : set_.contacts) add(c, ground);
     for (std::size_t j = 0; j < set_.fingers.size(); ++j) add(j);
     const Matrix6d scaled = set_.wrench_scale * stiffness_ * set_.wrench_scale.transpose();
     holds_ = scaled.eigenvalues().real().minCoeff() > kSoft * scaled.norm();
-    if (holds_) {
-      const Matrix6Xd moved =
-          stiffness_.fullPivLu().solve(Matrix6Xd(unscaled * options.disturbance_directions));
-      for (std::size_t i = 0; i < points_.size(); ++i)
-        forces_.emplace_back(springs_[i] * points_[i] * moved);
-      yields_ = Eigen::ArrayXd::Zero(moved.cols());
-      for (const auto& corner : corners_O.colwise()) {
-        const Eigen::ArrayXd yield = (point(corner) * moved).colwise().norm();
-        yields_ = yields_.max(yield);
-      }
-    }
-    pushes_ = unscaled * options.disturbance_directions;
+    if (holds_) move(stiffness_.fullPivLu().solve(pushes), corners_O, pushes);
   }
 
   double largest(double most) const {
@@ -81,6 +69,31 @@ class Springs {
   }
 
  private:
+  /// Notes what motions of the object, one a column, change.
+  void move(const Matrix6Xd& moved, const Eigen::Matrix3Xd& corners_O, const Matrix6Xd& pushes) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Jacobian softly = springs_[i] * points_[i];
+      forces_.emplace_back(softly.lazyProduct(moved));
+    }
+    yields_ = Eigen::ArrayXd::Zero(moved.cols());
+    for (const auto& corner : corners_O.colwise()) {
+      const Jacobian at = point(corner);
+      for (Eigen::Index d = 0; d < moved.cols(); ++d) {
+        yields_[d] = std::max(yields_[d], Vector3d(at * moved.col(d)).squaredNorm());
+      }
+    }
+    yields_ = yields_.sqrt();
+    // What the environment has to supply: the first part, and t times the second.
+    rest_ = -set_.known_wrench_O;
+    rest_grows_ = pushes;
+    const std::size_t contacts = set_.contacts.size();
+    for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
+      const Eigen::Matrix<double, 6, 3> carries = points_[contacts + j].transpose();
+      rest_ -= carries * nominal_.finger_forces_O.col(static_cast<Eigen::Index>(j));
+      rest_grows_ -= carries.lazyProduct(forces_[contacts + j]);
+    }
+  }
+
   /// Springs supply the disturbance's direction: the object moves against it.
   Vector3d force(std::size_t i, Eigen::Index d, double t) const {
     const auto contacts = static_cast<Eigen::Index>(set_.contacts.size());
@@ -152,14 +165,7 @@ class Springs {
   }
 
   /// Wrench that the environment has to supply.
-  Vector6d rest(Eigen::Index d, double t) const {
-    Vector6d rest = t * pushes_.col(d) - set_.known_wrench_O;
-    const std::size_t contacts = set_.contacts.size();
-    for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
-      rest -= points_[contacts + j].transpose() * force(contacts + j, d, t);
-    }
-    return rest;
-  }
+  Vector6d rest(Eigen::Index d, double t) const { return rest_ + t * rest_grows_.col(d); }
 
   /// Two contacts: the force at the second one across the edge has the moment about the first one.
   /// Along the edge, both take a part from an interval.
@@ -187,7 +193,7 @@ class Springs {
     mechanics::LinearProgram lp;
     lp.add_variable(0, most, 1);
     const Vector6d now = set_.wrench_scale * rest(d, 0);
-    const Vector6d grows = set_.wrench_scale * (rest(d, 1) - rest(d, 0));
+    const Vector6d grows = set_.wrench_scale * rest_grows_.col(d);
     const double slack = kSlack * (1 + now.norm());
     for (int row = 0; row < 6; ++row) lp.add_row(now[row] - slack, now[row] + slack);
     lp.set_block(0, 0, -grows);
@@ -231,7 +237,8 @@ class Springs {
   std::vector<Matrix3d> springs_;  // force that an approach of the object takes away
   Matrix6d stiffness_ = Matrix6d::Zero();
   bool holds_ = false;
-  Matrix6Xd pushes_;                      // wrench of each direction
+  Vector6d rest_ = Vector6d::Zero();      // see move()
+  Matrix6Xd rest_grows_;                  // of each direction
   std::vector<Eigen::Matrix3Xd> forces_;  // of each spring in each direction, for t = 1
   Eigen::ArrayXd yields_;                 // motion of the farthest corner, for t = 1 [m]
 };
@@ -245,8 +252,9 @@ double withstands_at(const Instant& instant, const mechanics::Equilibrium& nomin
                                           c.finger_normal, c.finger_tangential});
   double most = instant.set.known_wrench_O.head<3>().norm();
   for (const mechanics::Finger& finger : instant.set.fingers) most += finger.max_normal_force;
+  const Matrix6Xd pushes = instant.set.wrench_scale.inverse() * options.disturbance_directions;
   const auto with = [&](const Stiffness& ground) {
-    return Springs(instant, nominal, options, corners_O, ground).largest(most);
+    return Springs(instant, nominal, options, corners_O, pushes, ground).largest(most);
   };
   const double sticks =
       std::min(with({c.environment_normal, c.environment_tangential}), with({stiff, stiff}));

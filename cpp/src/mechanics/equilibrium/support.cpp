@@ -47,7 +47,10 @@ Support::Support(const ContactSet& set) {
   first_ = contact.p_OC - set.com_O;
   along_ = set.contacts[1].p_OC - contact.p_OC;
   if (contact.mode == ContactMode::stick) {
-    is_edge_ = set.contacts.size() == 2 && along_.norm() > 0;
+    length_ = along_.norm();
+    squared_ = along_.squaredNorm();
+    unit_ = along_.normalized();
+    is_edge_ = set.contacts.size() == 2 && length_ > 0;
   } else if (set.contacts.size() > 2 && is_one_direction(set.contacts)) {
     find_facets(set);
   }
@@ -93,9 +96,8 @@ void Support::find_facets(const ContactSet& set) {
 std::array<Vector3d, 2> Support::across_edge(const Vector6d& w) const {
   const Vector3d force = w.head<3>();
   const Vector3d moment = w.tail<3>() - first_.cross(force);
-  const Vector3d unit = along_.normalized();
-  const Vector3d second = moment.cross(along_) / along_.squaredNorm();
-  const Vector3d across = force - unit.dot(force) * unit;
+  const Vector3d second = moment.cross(along_) / squared_;
+  const Vector3d across = force - unit_.dot(force) * unit_;
   return {across - second, second};
 }
 
@@ -104,8 +106,8 @@ std::array<Vector3d, 2> Support::across_edge(const Vector6d& w) const {
 bool Support::edge_supplies(const Vector6d& w) const {
   const Vector3d force = w.head<3>();
   const Vector3d moment = w.tail<3>() - first_.cross(force);
-  const double round = kRound * (force.norm() + moment.norm() / along_.norm());
-  double room = round - std::abs(along_.normalized().dot(force));
+  const double round = kRound * (force.norm() + moment.norm() / length_);
+  double room = round - std::abs(unit_.dot(force));
   for (const Vector3d& f : across_edge(w)) {
     const double normal = n_.dot(f), most = friction_ * normal + round;
     const double slips = (f - normal * n_).norm();
@@ -117,7 +119,6 @@ bool Support::edge_supplies(const Vector6d& w) const {
 
 /// Each end's force, and the force along the edge, may change by what all errors change it at most.
 double Support::edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) const {
-  const Vector3d unit = along_.normalized();
   struct End {
     double normal, slips, normal_per_error = 0, slips_per_error = 0;
   };
@@ -139,10 +140,10 @@ double Support::edge_tolerates(const Vector6d& w, const Matrix6Xd& changes) cons
     if (per_error > 0) most = std::min(most, room / per_error);
   }
   for (Eigen::Index k = 0; k + 3 <= changes.cols(); k += 3) {
-    along_per_error += (unit.transpose() * changes.block<3, 3>(0, k)).norm();
+    along_per_error += (unit_.transpose() * changes.block<3, 3>(0, k)).norm();
   }
   const auto left = [&](double e) {  // of the friction along the edge
-    double sum = -std::abs(unit.dot(w.head<3>())) - e * along_per_error;
+    double sum = -std::abs(unit_.dot(w.head<3>())) - e * along_per_error;
     for (const End& end : ends) {
       const double held = friction_ * (end.normal - e * end.normal_per_error);
       const double slips = end.slips + e * end.slips_per_error;

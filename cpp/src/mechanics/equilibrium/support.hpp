@@ -35,6 +35,8 @@ class Support {
   // Two sticking contacts.
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();  // p_1 - com
   Eigen::Vector3d along_ = Eigen::Vector3d::Zero();  // p_2 - p_1
+  Eigen::Vector3d unit_ = Eigen::Vector3d::Zero();   // along it
+  double length_ = 0, squared_ = 0;                  // of along_
   Eigen::Vector3d n_ = Eigen::Vector3d::Zero();      // normal
   double friction_ = 0;
   std::vector<Vector6d> facets_;  // sliding contacts supply w if facet . w >= 0 for all
