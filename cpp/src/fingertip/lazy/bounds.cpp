@@ -61,9 +61,10 @@ StabilityBounds::StabilityBounds(const PoseGraph& graph, const Instants& instant
   list_edges();
   pools_.resize(static_cast<std::size_t>(instants.size()));
   const int P = graph.options.samples_per_arc;
-  for (int arc = 0; arc < graph.num_arcs(); ++arc) {
-    poll();
-    for (int j = 0; j < P; ++j) {
+  for (int i = 0; i < P; ++i) {
+    const int j = (P / 2 + i) % P;  // the middle samples side by side: they are looked at most
+    for (int arc = 0; arc < graph.num_arcs(); ++arc) {
+      poll();
       place(graph.instant(arc, j), along_screw(graph.X_WO(arc), graph.twist_O(arc), (j + 0.5) / P));
     }
   }
@@ -101,6 +102,7 @@ void StabilityBounds::list_edges() {
 
 void StabilityBounds::place(int instant, const Eigen::Isometry3d& X_WO) {
   if (std::find(all_.begin(), all_.end(), instant) != all_.end()) return;
+  pool(instant).row = all_.size();
   all_.push_back(instant);
   const mechanics::ContactSet& set = instants_[instant].set;
   // The inverse of a rigid map and of a scale; the scale is well conditioned.
@@ -129,24 +131,26 @@ void StabilityBounds::find_standing() {
 int StabilityBounds::used(int instant) const { return round_up(pool(instant).size); }
 
 /// Fills the columns of a block that are new since it was last used.
-void StabilityBounds::fill(const Pool& p, int location) const {
-  const auto width = static_cast<std::size_t>(width_);
-  std::int64_t& filled = p.filled[static_cast<std::size_t>(location)];
-  float* h = p.h.get() + static_cast<std::size_t>(location) * width;
-  const float* edges = edge_wrenches_.data() + static_cast<std::size_t>(location * edges_ * 6);
-  for (int first = 0; first < p.size; first += kStep) {
+void StabilityBounds::fill(const Pool& p, std::size_t location, std::size_t at) const {
+  const std::lock_guard<std::mutex> lock(filling_[location % filling_.size()]);
+  const std::int64_t filled = filled_[at].load(std::memory_order_relaxed);
+  float* h = h_.get() + at * static_cast<std::size_t>(width_);
+  const float* edges = edge_wrenches_.data() + location * static_cast<std::size_t>(edges_ * 6);
+  for (int first = 0; first < p.size && filled < p.stamp; first += kStep) {
     const auto begin = p.stamps.begin() + first;
     if (*std::max_element(begin, begin + kStep) <= filled) continue;
     greatest_of_edges(edges, edges_, p.y.data() + first, width_, h + first);
   }
-  filled = p.stamp;
+  filled_[at].store(p.stamp, std::memory_order_release);
 }
 
 const float* StabilityBounds::block(int instant, int location) const {
   const Pool& p = pool(instant);
-  const auto l = static_cast<std::size_t>(location);
-  if (p.filled[l] < p.stamp) fill(p, location);
-  return p.h.get() + l * static_cast<std::size_t>(width_);
+  const std::size_t at = static_cast<std::size_t>(location) * all_.size() + p.row;
+  if (filled_[at].load(std::memory_order_acquire) < p.stamp) {
+    fill(p, static_cast<std::size_t>(location), at);
+  }
+  return h_.get() + at * static_cast<std::size_t>(width_);
 }
 
 float StabilityBounds::bound(int instant, const Placement& placement) const {
@@ -242,12 +246,15 @@ void StabilityBounds::add(int instant, const std::vector<Vector6d>& functionals,
 void StabilityBounds::store(int instant, const Bound& bound) {
   Pool& p = pool(instant);
   const auto width = static_cast<std::size_t>(width_);
-  if (!p.h) {
+  if (!h_) {
+    const std::size_t blocks = static_cast<std::size_t>(num_locations_) * all_.size();
+    h_.reset(new float[blocks * width]);
+    filled_ = std::make_unique<std::atomic<std::int64_t>[]>(blocks);
+  }
+  if (p.offsets.empty()) {
     p.offsets.resize(width, kFree);
     p.stamps.resize(width, 0);
     p.y.resize(6 * width, 0.0F);
-    p.h.reset(new float[static_cast<std::size_t>(num_locations_) * width]);
-    p.filled.resize(static_cast<std::size_t>(num_locations_), 0);
   }
   int column = p.size;
   if (p.size < width_) {
@@ -268,10 +275,12 @@ void StabilityBounds::store(int instant, const Bound& bound) {
 
 std::int64_t StabilityBounds::memory() const {
   std::size_t bytes = (edge_wrenches_.size() + components_.size()) * sizeof(float);
+  if (h_) {
+    const std::size_t block = static_cast<std::size_t>(width_) * sizeof(float) + sizeof(filled_[0]);
+    bytes += static_cast<std::size_t>(num_locations_) * all_.size() * block;
+  }
   for (const Pool& p : pools_) {
-    bytes += (p.filled.size() * static_cast<std::size_t>(width_) + p.offsets.size() + p.y.size()) *
-                 sizeof(float) +
-             (p.filled.size() + p.stamps.size()) * sizeof(std::int64_t);
+    bytes += (p.offsets.size() + p.y.size()) * sizeof(float) + p.stamps.size() * sizeof(p.stamp);
   }
   return static_cast<std::int64_t>(bytes);
 }

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "fingertip/model/instants.hpp"
@@ -27,10 +30,11 @@ float greatest_of_edges(const float* components, int stride, const float* y);
 
 /// For any y with y . g <= 0 for all generators g of an instant's environment,
 ///   z <= (y . known + sum over fingers of h(y, location)) / max over d of y . l_d.
-/// An instant has up to width() functionals, and a table of h for each location, filled where it is
-/// looked at. A functional found at one instant serves others too: what an environment cannot do
-/// stays the same in the world while the object turns about standing contacts, and in the object
-/// while it slides.
+/// An instant has up to width() functionals. A table holds h for each location, filled where it is
+/// looked at, and what a location has for all instants lies together: a placement is mostly looked
+/// at from instant to instant. Threads may look at bounds together while none adds any. A
+/// functional found at one instant serves others too: what an environment cannot do stays the same
+/// in the world while the object turns about standing contacts, and in the object while it slides.
 class StabilityBounds {
  public:
   StabilityBounds(const PoseGraph& graph, const Instants& instants);
@@ -47,8 +51,8 @@ class StabilityBounds {
   std::int64_t stamp(int instant) const { return pool(instant).stamp; }
   std::int64_t stamp() const { return stamp_; }
 
-  /// The table as it lies in memory: used() floats a location, to be added up over the fingers and
-  /// to offsets(); the least sum is the bound.
+  /// The table as it lies in memory: used() floats at an instant and a location, to be added up
+  /// over the fingers and to offsets(); the least sum is the bound.
   int used(int instant) const;  // a multiple of kStep
   const float* block(int instant, int location) const;
   const float* offsets(int instant) const { return pool(instant).offsets.data(); }
@@ -60,13 +64,12 @@ class StabilityBounds {
  private:
   struct Pool {
     mechanics::Matrix6d to_world, from_world;  // functionals on wrenches about the world's origin
-    int standing = -1;  // instants whose environments are the same in the world share a number
+    int standing = -1;    // instants whose environments are the same in the world share a number
+    std::size_t row = 0;  // place in all_
     int size = 0, oldest = 0;
     std::int64_t stamp = 0;
-    std::vector<float> offsets, y;             // width; 6 x width
-    std::vector<std::int64_t> stamps;          // of each functional
-    std::unique_ptr<float[]> h;                // locations x width; undefined where not filled
-    mutable std::vector<std::int64_t> filled;  // up to which stamp, a location
+    std::vector<float> offsets, y;     // width; 6 x width
+    std::vector<std::int64_t> stamps;  // of each functional
   };
   struct Bound {
     mechanics::Vector6d y;
@@ -83,7 +86,7 @@ class StabilityBounds {
   void list_edges();
   void place(int instant, const Eigen::Isometry3d& X_WO);
   void find_standing();
-  void fill(const Pool& pool, int location) const;
+  void fill(const Pool& pool, std::size_t location, std::size_t at) const;
   bool is_polar(int instant, const mechanics::Vector6d& y) const;
   std::vector<Bound> best_of(int instant, const std::vector<mechanics::Vector6d>& functionals,
                              const Placement& placement) const;
@@ -102,6 +105,9 @@ class StabilityBounds {
   std::vector<Pool> pools_;
   std::vector<int> all_;                        // instants in use
   std::vector<mechanics::Matrix6Xd> standing_;  // generators in the world
+  std::unique_ptr<float[]> h_;  // locations x instants x width; undefined if not filled
+  std::unique_ptr<std::atomic<std::int64_t>[]> filled_;  // up to which stamp: locations x instants
+  mutable std::array<std::mutex, 64> filling_;           // of a location, modulo their number
   double most_force_ = 0;
   std::int64_t stamp_ = 1, count_ = 0;
 };

@@ -51,7 +51,7 @@ std::vector<int> Candidates::instants(int arc) const {
 }
 
 int Candidates::open(const Placement& placement) {
-  const auto [entry, is_new] = index_.emplace(placement, size());
+  const auto [entry, is_new] = index_.try_emplace(placement, size());
   if (!is_new) return entry->second;
   const int c = size(), arcs = graph_.num_arcs();
   all_.push_back({placement});

@@ -3,6 +3,7 @@
 #include "fingertip/lazy/displacements.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "graspless/watch.hpp"
 
@@ -19,6 +20,25 @@ Displacements::Displacements(const PoseGraph& graph)
     double least = kInfinity;
     for (std::size_t l = 0; l < locations; ++l) least = std::min(least, parts_[l * arcs_ + arc]);
     least_ += least * graph.options.samples_per_arc;
+  }
+  rank_all();
+}
+
+void Displacements::rank_all() {
+  const std::size_t locations = least_arcs_.size(), poses = arcs_ + 1;
+  ranking_.resize(locations);
+  std::iota(ranking_.begin(), ranking_.end(), 0);
+  std::stable_sort(ranking_.begin(), ranking_.end(),
+                   [&](int a, int b) { return least_arc(a) < least_arc(b); });
+  ranks_.resize(locations);
+  before_at_.resize(locations * poses);
+  after_at_.resize(locations * poses);
+  for (std::size_t i = 0; i < locations; ++i) {
+    ranks_[static_cast<std::size_t>(ranking_[i])] = static_cast<std::int32_t>(i);
+    for (std::size_t pose = 0; pose < poses; ++pose) {
+      before_at_[pose * locations + i] = before_[i * poses + pose];
+      after_at_[pose * locations + i] = after_[i * poses + pose];
+    }
   }
 }
 

@@ -3,13 +3,10 @@
 // Stabilities asked for in batches and solved by several threads.
 #pragma once
 
-#include <atomic>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <optional>
 #include <vector>
 
+#include "fingertip/lazy/crew.hpp"
 #include "fingertip/model/evaluator.hpp"
 
 namespace graspless::fingertip {
@@ -32,8 +29,9 @@ struct StabilityQuery {
 /// whatever the number of threads, so that answers do not depend on it.
 class EvaluatorPool {
  public:
-  EvaluatorPool(std::vector<Evaluator>& evaluators, int threads);
-  ~EvaluatorPool();
+  EvaluatorPool(std::vector<Evaluator>& evaluators, Crew& crew)
+      : evaluators_(evaluators), crew_(crew) {}
+  ~EvaluatorPool() { cancel(); }
   EvaluatorPool(const EvaluatorPool&) = delete;
   EvaluatorPool& operator=(const EvaluatorPool&) = delete;
 
@@ -46,20 +44,11 @@ class EvaluatorPool {
   void cancel();
 
  private:
-  void help();        // what the other threads do
-  void take_lanes();  // solves lanes until none is left
-  void solve_lane(std::size_t lane);
+  void solve_lane(std::vector<StabilityQuery>& queries, std::size_t lane);
 
   std::vector<Evaluator>& evaluators_;
-  std::vector<StabilityQuery>* queries_ = nullptr;
-  std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::atomic<int> round_{0};
-  std::atomic<std::size_t> next_lane_{0}, busy_{0};
-  bool shared_ = false;  // the other threads were woken
-  std::atomic<bool> stop_{false}, cancelled_{false};
-  std::exception_ptr failure_;
+  Crew& crew_;
+  std::optional<Crew::Job> job_;  // the batch, one item for each evaluator
 };
 
 }  // namespace graspless::fingertip

@@ -13,9 +13,7 @@
 namespace graspless::fingertip {
 namespace {
 
-GRASPLESS_SIMD void lower(const double* to, std::vector<double>& values) {
-  double* value = values.data();
-  const std::size_t size = values.size();
+GRASPLESS_SIMD void lower(const double* to, std::size_t size, double* value) {
   for (std::size_t i = 0; i < size; ++i) value[i] = to[i] < value[i] ? to[i] : value[i];
 }
 
@@ -37,17 +35,21 @@ Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds,
     if (is_new) instants_.push_back(instant);
     slots_.push_back(entry->second);
   }
+  index_of_one_.assign(static_cast<std::size_t>(graph.locations.size()), -1);
 }
 
 int Hubs::open(const Placement& kept) {
-  const auto [entry, is_new] = index_.emplace(kept, size());
-  if (is_new) {
+  const bool is_one = kept[0] >= 0 && kept[1] < 0;
+  int& known = is_one ? index_of_one_[static_cast<std::size_t>(kept[0])]
+                      : index_.try_emplace(kept, -1).first->second;
+  if (known < 0) {
+    known = size();
     kept_.push_back(kept);
     members_.emplace_back();
     neighbors_.emplace_back();
     known_.resize(known_.size() + instants_.size(), Known::open);
   }
-  return entry->second;
+  return known;
 }
 
 void Hubs::link(const Placement& placement, int candidate) {
@@ -66,29 +68,45 @@ void Hubs::unlink_all() {
   }
 }
 
-void Hubs::rank() {
+void Hubs::rank(Crew& crew) {
   const auto size = kept_.size() * static_cast<std::size_t>(graph_.num_poses());
   memory_ += static_cast<std::int64_t>((size - least_.size()) * sizeof(Least));
   least_.resize(size);
-  for (int hub = 0; hub < this->size(); ++hub) rank(hub);
+  part_least_.resize(kept_.size());
+  constexpr std::size_t kHubs = 16;  // an item
+  crew.share((kept_.size() + kHubs - 1) / kHubs, [&](std::size_t item) {
+    const std::size_t last = std::min(kept_.size(), (item + 1) * kHubs);
+    for (std::size_t hub = item * kHubs; hub < last; ++hub) rank(static_cast<int>(hub));
+  });
+  for (const std::vector<double>& parts : part_least_) {
+    memory_ += static_cast<std::int64_t>(parts.size() * sizeof(double));
+  }
 }
 
 /// Members by ascending least arc: what they cost from pose to pose is no less.
 void Hubs::rank(int hub) {
   poll();
   std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
-  const auto least_arc = [&](const Member& m) { return displacements_.least_arc(m.location); };
-  std::sort(members.begin(), members.end(), [&](const Member& a, const Member& b) {
-    const double least_a = least_arc(a), least_b = least_arc(b);
-    return least_a != least_b ? least_a < least_b : a.location < b.location;
-  });
-  const auto is_same = [](const Member& a, const Member& b) { return a.location == b.location; };
-  members.erase(std::unique(members.begin(), members.end(), is_same), members.end());
+  std::vector<std::int32_t> ranks;
+  for (const Member& m : members) ranks.push_back(displacements_.rank(m.location));
+  std::sort(ranks.begin(), ranks.end());
+  ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+  members.clear();
+  for (const std::int32_t rank : ranks) {
+    members.push_back({displacements_.ranking()[static_cast<std::size_t>(rank)]});
+  }
   const auto poses = static_cast<std::size_t>(graph_.num_poses());
+  std::vector<double>& parts = part_least_[static_cast<std::size_t>(hub)];
+  parts.assign((members.size() + kPart - 1) / kPart * 2 * poses, kInfinity);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    double* part = &parts[i / kPart * 2 * poses];
+    lower(displacements_.before(members[i].location), poses, part);
+    lower(displacements_.after(members[i].location), poses, part + poses);
+  }
   std::vector<double> before(poses, kInfinity), after = before;
-  for (const Member& m : members) {
-    lower(displacements_.before(m.location), before);
-    lower(displacements_.after(m.location), after);
+  for (std::size_t part = 0; part < parts.size(); part += 2 * poses) {
+    lower(&parts[part], poses, before.data());
+    lower(&parts[part + poses], poses, after.data());
   }
   for (const std::int32_t location : kept(hub)) {
     if (location < 0) break;
@@ -170,37 +188,80 @@ void Hubs::examine(const Placement& placement, Member& member) const {
 }
 
 /// Of equal costs the first member's counts.
-void Hubs::compare(int hub, int pose) {
+Hubs::Least Hubs::least_of(int hub, int pose) {
   constexpr double kRounding = 1e-9;  // of costs summed in another order
   const double arcs_before = pose * (1 - kRounding);
   const double arcs_after = (graph_.num_arcs() - pose) * (1 - kRounding);
+  const double* all_before = displacements_.before_at(pose);
+  const double* all_after = displacements_.after_at(pose);
   double kept_before = 0, kept_after = 0;
   for (const std::int32_t location : kept(hub)) {
     if (location < 0) break;
-    kept_before = std::max(kept_before, displacements_.before(location)[pose]);
-    kept_after = std::max(kept_after, displacements_.after(location)[pose]);
+    kept_before = std::max(kept_before, all_before[location]);
+    kept_after = std::max(kept_after, all_after[location]);
   }
   Least least;
-  int i = -1;
-  for (Member& m : members_[static_cast<std::size_t>(hub)]) {
-    ++i;
-    if (m.is_examined() && pose > m.comes && pose < m.goes) continue;
-    const double each = displacements_.least_arc(m.location);
-    if (each * arcs_before > least.before && each * arcs_after > least.after) break;
-    double before = std::max(kept_before, displacements_.before(m.location)[pose]);
-    double after = std::max(kept_after, displacements_.after(m.location)[pose]);
+  std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
+  const auto poses = static_cast<std::size_t>(graph_.num_poses());
+  const double* part = part_least_[static_cast<std::size_t>(hub)].data() + pose;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (i % kPart == 0) {
+      const double each = displacements_.least_arc(members[i].location);
+      if (each * arcs_before > least.before && each * arcs_after > least.after) break;
+      const double* of = part + i / kPart * 2 * poses;
+      if (std::max(kept_before, of[0]) >= least.before &&
+          std::max(kept_after, of[poses]) >= least.after) {
+        i += kPart - 1;
+        continue;
+      }
+    }
+    Member& m = members[i];
+    double before = std::max(kept_before, all_before[m.location]);
+    double after = std::max(kept_after, all_after[m.location]);
     if (before >= least.before && after >= least.after) continue;
     if (!m.is_examined()) examine(with(kept(hub), m.location), m);
+    if (pose > m.comes && pose < m.goes) continue;
     if (m.candidate >= 0) {
       before = candidates_.before(m.candidate, pose);
       after = candidates_.after(m.candidate, pose);
     }
-    if (pose <= m.comes && before < least.before) least.before = before, least.first = i;
-    if (pose >= m.goes && after < least.after) least.after = after, least.second = i;
+    const int member = static_cast<int>(i);
+    if (pose <= m.comes && before < least.before) least.before = before, least.first = member;
+    if (pose >= m.goes && after < least.after) least.after = after, least.second = member;
   }
+  return least;
+}
+
+void Hubs::compare(int hub, int pose) {
+  const Least least = least_of(hub, pose);
   if (least.first >= 0) candidate(hub, least.first);
   if (least.second >= 0) candidate(hub, least.second);
   least_[index(hub, pose)] = least;
+}
+
+void Hubs::compare(const std::vector<HubPose>& together, Crew& crew) {
+  std::vector<HubPose> all = together;  // those of one hub side by side: one thread takes them
+  std::stable_sort(all.begin(), all.end(),
+                   [](const HubPose& a, const HubPose& b) { return a.hub < b.hub; });
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i == 0 || all[i].hub != all[i - 1].hub) first.push_back(i);
+  }
+  crew.share(first.size(), [&](std::size_t item) {
+    const std::size_t last = item + 1 < first.size() ? first[item + 1] : all.size();
+    for (std::size_t i = first[item]; i < last; ++i) {
+      least_[index(all[i].hub, all[i].pose)] = least_of(all[i].hub, all[i].pose);
+    }
+  });
+  std::vector<int> opened;
+  for (const HubPose& at : together) {
+    const Least& least = least_[index(at.hub, at.pose)];
+    if (least.first >= 0) opened.push_back(candidate(at.hub, least.first));
+    if (least.second >= 0) opened.push_back(candidate(at.hub, least.second));
+  }
+  std::sort(opened.begin(), opened.end());
+  opened.erase(std::unique(opened.begin(), opened.end()), opened.end());
+  crew.share(opened.size(), [&](std::size_t item) { candidates_.refresh(opened[item]); });
 }
 
 /// Costs never fall: while those of the least have not risen, no other member's is less.

@@ -9,8 +9,14 @@
 #include <vector>
 
 #include "fingertip/lazy/candidates.hpp"
+#include "fingertip/lazy/crew.hpp"
 
 namespace graspless::fingertip {
+
+/// A hub, and a pose at which the object may rest there.
+struct HubPose {
+  int hub, pose;
+};
 
 /// A hub is a pose and the fingers kept there. Arcs lead to it from each placement that contains
 /// them, by lifting one finger, and from it to each of them, by putting the finger down elsewhere.
@@ -31,8 +37,8 @@ class Hubs {
   void link(const Placement& placement, int candidate = -1);
   void unlink_all();
   /// Sorts the members, drops those linked twice, and bounds the costs at each pose by their
-  /// displacements. Needed before bound() and best().
-  void rank();
+  /// displacements. Needed before bound() and best(). Forgets candidates that were linked.
+  void rank(Crew& crew);
   int open(const Placement& kept);
   int size() const { return static_cast<int>(kept_.size()); }
   const Placement& kept(int hub) const { return kept_[static_cast<std::size_t>(hub)]; }
@@ -59,6 +65,13 @@ class Hubs {
     int before = -1, after = -1;
   };
   Regrasp best(int hub, int pose);
+  /// Compares the members at each of these, one hub a thread, and refreshes the candidates found.
+  void compare(const std::vector<HubPose>& together, Crew& crew);
+  /// True until the members have been compared for the first time.
+  bool is_untouched(int hub, int pose) const {
+    const Least& least = least_[index(hub, pose)];
+    return least.first < 0 && least.second < 0 && least.before + least.after < kInfinity;
+  }
   /// At most its cost.
   double bound(int hub, int pose);
 
@@ -66,11 +79,12 @@ class Hubs {
   bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
   void record(const StabilityQuery& query);
 
-  std::int64_t memory() const { return memory_; }  // of members, neighbors and least costs
+  std::int64_t memory() const { return memory_; }  // of members, neighbors, least costs
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
  private:
+  static constexpr std::size_t kPart = 64;
   enum class Known : std::uint8_t { open, requested, stable, unstable };
   /// Least costs up to a pose and from it on, as last compared, and the members that have them.
   struct Least {
@@ -82,6 +96,7 @@ class Hubs {
            static_cast<std::size_t>(pose);
   }
   void rank(int hub);
+  Least least_of(int hub, int pose);
   void examine(const Placement& placement, Member& member) const;
   void compare(int hub, int pose);
   bool has_risen(int hub, int pose) const;
@@ -100,10 +115,12 @@ class Hubs {
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
   std::vector<std::vector<Member>> members_;
+  std::vector<std::vector<double>> part_least_;   // of kPart members each: before, after, all poses
   std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
   std::vector<Known> known_;                      // hubs x slots
   std::vector<Least> least_;                      // hubs x poses
   std::unordered_map<Placement, int, PlacementHash> index_;
+  std::vector<int> index_of_one_;  // the same for a single finger, by its location; -1: none yet
 };
 
 }  // namespace graspless::fingertip

@@ -29,7 +29,7 @@ void Listing::next(const std::function<void(const Placement&, double)>& found) {
   const float before = level_;
   const float least = lazy_.min_stability;
   level_ = is_one_ ? std::max(least, next_level()) : least;
-  for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, clear_, instants_, level_,
+  for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, clear_, instants_, level_, lazy_.crew,
                      [&](const Placement& placement) {
                        const bool is_known =
                            is_one_ && (lazy_.bounds.bound(instants_.front(), placement) >= before ||

@@ -16,6 +16,25 @@ namespace {
 using Step = StabilityBounds::Step;
 
 constexpr std::size_t kPolledLocations = 256;  // between two polls
+constexpr std::size_t kParts = 16;             // looked at together by all threads
+constexpr std::size_t kFirst = 8;              // locations of the first finger in a part
+
+/// Rows of the table of bounds at one instant, side by side for all locations.
+struct Rows {
+  Rows(const StabilityBounds& bounds, int instant, const std::vector<int>& locations)
+      : used(static_cast<std::size_t>(bounds.used(instant))), best(used, 0.0F) {
+    if (used == 0) return;
+    offsets.assign(bounds.offsets(instant), bounds.offsets(instant) + used);
+    all.reserve(locations.size() * used);
+    for (const int location : locations) {
+      const float* h = bounds.block(instant, location);
+      all.insert(all.end(), h, h + used);
+      for (std::size_t k = 0; k < used; ++k) best[k] = std::max(best[k], h[k]);
+    }
+  }
+  std::size_t used;
+  std::vector<float> offsets, all, best;  // best: of all locations
+};
 
 /// Depth-first over fingers. Sums of the table's rows over the fingers so far bound what any
 /// completion can reach: those with the best location for each missing finger.
@@ -23,7 +42,7 @@ class Enumeration {
  public:
   Enumeration(const PoseGraph& graph, const StabilityBounds& bounds, int count,
               const std::vector<int>& locations, const std::vector<int>& instants, float needed,
-              const std::function<bool(const Placement&)>& found)
+              const Rows& rows, const std::function<bool(const Placement&)>& found)
       : graph_(graph),
         bounds_(bounds),
         count_(count),
@@ -31,24 +50,16 @@ class Enumeration {
         instants_(instants),
         found_(found),
         needed_(needed),
-        used_(bounds.used(instants.front())) {
-    sums_.resize(static_cast<std::size_t>(count + 1) * static_cast<std::size_t>(used_));
-    best_.assign(static_cast<std::size_t>(used_), 0.0F);
-    for (int k = 0; k < used_; ++k) sum(0)[k] = bounds.offsets(instants.front())[k];
-    if (used_ == 0) return;
-    for (const int location : locations) {
-      const float* h = bounds.block(instants.front(), location);
-      for (int k = 0; k < used_; ++k)
-        best_[static_cast<std::size_t>(k)] = std::max(best_[static_cast<std::size_t>(k)], h[k]);
-    }
+        rows_(rows),
+        sums_(static_cast<std::size_t>(count + 1) * rows.used) {
+    std::copy(rows.offsets.begin(), rows.offsets.end(), sums_.begin());
   }
 
-  bool run() { return place(0, 0); }
+  /// With the first finger at the locations from `begin` to before `end`.
+  bool run(std::size_t begin, std::size_t end) { return place(0, begin, end); }
 
  private:
-  float* sum(int depth) {
-    return sums_.data() + static_cast<std::size_t>(depth) * static_cast<std::size_t>(used_);
-  }
+  float* sum(int depth) { return sums_.data() + static_cast<std::size_t>(depth) * rows_.used; }
 
   bool is_apart(int depth, int location) const {
     for (int i = 0; i < depth && i < mechanics::kMaxFingers; ++i) {
@@ -61,18 +72,18 @@ class Enumeration {
 
   // Returns true if the sums with `missing` more fingers at their best reach what is needed. The
   // functionals that refused the last placement are the first to be asked.
-  bool extend(int depth, int location, int missing) {
-    if (used_ == 0) return true;
-    const float* h = bounds_.block(instants_.front(), location);
-    const auto is_short = [&](int i) {
+  bool extend(int depth, std::size_t at, int missing) {
+    if (rows_.used == 0) return true;
+    const float* h = rows_.all.data() + at * rows_.used;
+    const auto is_short = [&](std::size_t i) {
       Eigen::Map<Step> to(sum(depth + 1) + i);
       to = Eigen::Map<const Step>(sum(depth) + i) + Eigen::Map<const Step>(h + i);
       const Step reach =
-          to + static_cast<float>(missing) * Eigen::Map<const Step>(best_.data() + i);
+          to + static_cast<float>(missing) * Eigen::Map<const Step>(rows_.best.data() + i);
       return reach.minCoeff() < needed_;
     };
     if (is_short(refused_)) return false;
-    for (int i = 0; i < used_; i += kStep) {
+    for (std::size_t i = 0; i < rows_.used; i += kStep) {
       if (!is_short(i)) continue;
       refused_ = i;
       return false;
@@ -80,15 +91,16 @@ class Enumeration {
     return true;
   }
 
-  bool place(int depth, std::size_t first) {
+  bool place(int depth, std::size_t begin, std::size_t end) {
     if (depth >= count_ || depth >= mechanics::kMaxFingers) return accept();
     poll();
     const int missing = count_ - depth - 1;
-    for (std::size_t i = first; i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
+    for (std::size_t i = begin;
+         i < end && i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
       if (i % kPolledLocations == 0) poll();
-      if (!extend(depth, locations_[i], missing) || !is_apart(depth, locations_[i])) continue;
+      if (!extend(depth, i, missing) || !is_apart(depth, locations_[i])) continue;
       placement_[static_cast<std::size_t>(depth)] = locations_[i];
-      if (!place(depth + 1, i + 1)) return false;
+      if (!place(depth + 1, i + 1, locations_.size())) return false;
       placement_[static_cast<std::size_t>(depth)] = -1;
     }
     return true;
@@ -108,9 +120,9 @@ class Enumeration {
   const std::vector<int>& instants_;
   const std::function<bool(const Placement&)>& found_;
   const float needed_;
-  const int used_;
-  int refused_ = 0;
-  std::vector<float> sums_, best_;
+  const Rows& rows_;
+  std::size_t refused_ = 0;
+  std::vector<float> sums_;
   Placement placement_ = kNoFingers;
 };
 
@@ -137,8 +149,33 @@ std::vector<int> thinned(const std::vector<int>& locations, int count) {
 
 void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
                         const std::vector<int>& locations, const std::vector<int>& instants,
-                        float needed, const std::function<bool(const Placement&)>& found) {
-  Enumeration(graph, bounds, count, locations, instants, needed, found).run();
+                        float needed, Crew& crew,
+                        const std::function<bool(const Placement&)>& found) {
+  const Rows rows(bounds, instants.front(), locations);
+  const std::size_t size = locations.size();
+  // Of more fingers, the placements with one location of the first would take much memory.
+  if (count != 2) {
+    Enumeration(graph, bounds, count, locations, instants, needed, rows, found).run(0, size);
+    return;
+  }
+  std::vector<std::vector<Placement>> parts(kParts);
+  for (std::size_t first = 0; first < size; first += kParts * kFirst) {
+    crew.share(kParts, [&](std::size_t part) {
+      parts[part].clear();
+      const std::function<bool(const Placement&)> keep = [&](const Placement& placement) {
+        parts[part].push_back(placement);
+        return true;
+      };
+      const std::size_t begin = first + part * kFirst;
+      Enumeration(graph, bounds, count, locations, instants, needed, rows, keep)
+          .run(begin, std::min(size, begin + kFirst));
+    });
+    for (const std::vector<Placement>& part : parts) {
+      for (const Placement& placement : part) {
+        if (!found(placement)) return;
+      }
+    }
+  }
 }
 
 void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
@@ -147,7 +184,7 @@ void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
   for (const int instant : instants) {
     std::vector<Placement> left;
     for_each_placement(lazy.graph, lazy.bounds, lazy.count, some, {instant}, lazy.min_stability,
-                       [&](const Placement& placement) {
+                       lazy.crew, [&](const Placement& placement) {
                          left.push_back(placement);
                          return true;
                        });
@@ -179,12 +216,28 @@ void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
   }
 }
 
+void link_ends(LazyState& lazy) {
+  std::size_t count = 0;
+  for (const int arc : {0, lazy.graph.num_arcs() - 1}) {
+    const std::vector<int> locations = clear_locations(lazy.graph, arc, arc + 1);
+    const std::vector<int> instants = lazy.candidates.instants(arc);
+    seed_bounds(lazy, locations, instants);
+    for_each_placement(lazy.graph, lazy.bounds, lazy.count, locations, instants, lazy.min_stability,
+                       lazy.crew, [&](const Placement& placement) {
+                         lazy.hubs.link(placement);
+                         if (++count % LazyState::kWatch == 0) lazy.watch_memory();
+                         return true;
+                       });
+  }
+  lazy.hubs.rank(lazy.crew);
+}
+
 void open_all(LazyState& lazy) {
   lazy.candidates.keep_inner_arcs();
   for (int arc = 0; arc < lazy.graph.num_arcs(); ++arc) {
     for_each_placement(lazy.graph, lazy.bounds, lazy.count,
                        clear_locations(lazy.graph, arc, arc + 1), lazy.candidates.instants(arc),
-                       lazy.min_stability, [&](const Placement& placement) {
+                       lazy.min_stability, lazy.crew, [&](const Placement& placement) {
                          const int c = lazy.candidates.open(placement);
                          if (static_cast<std::size_t>(c) % LazyState::kWatch == 0) {
                            lazy.watch_memory();

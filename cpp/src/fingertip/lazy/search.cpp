@@ -10,7 +10,6 @@
 #include "fingertip/lazy/search.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -26,6 +25,7 @@ namespace {
 
 constexpr std::size_t kWaiting = 16;  // entries that wait for stabilities
 constexpr std::size_t kBatch = 4;     // stabilities requested together
+constexpr std::size_t kHubs = 64;     // hubs whose members are compared together
 
 struct Entry {
   enum class Kind {
@@ -99,10 +99,10 @@ class Frontier {
 
   /// Enters all placements, unless a regrasp is needed, and all routes with regrasps.
   void begin(bool needs_regrasp) {
-    const Displacements& displacements = lazy_.displacements;
-    if (!needs_regrasp) push({displacements.least_whole(), Entry::Kind::placements});
-    const Options& options = lazy_.graph.options;
-    if (options.max_regrasps >= 1) push({least_with_regrasps(), Entry::Kind::one_regrasp});
+    if (!needs_regrasp) push({lazy_.displacements.least_whole(), Entry::Kind::placements});
+    if (lazy_.graph.options.max_regrasps >= 1) {
+      push({least_with_regrasps(), Entry::Kind::one_regrasp});
+    }
   }
 
   /// Lists some of the placements that can carry the object all the way.
@@ -130,19 +130,7 @@ class Frontier {
   /// Lists placements that can carry the object from the start, or to the goal, at their hubs.
   void list_hubs() {
     const int K = lazy_.graph.num_arcs();
-    for (const int arc : {0, K - 1}) {
-      const std::vector<int> locations = clear_locations(lazy_.graph, arc, arc + 1);
-      seed_bounds(lazy_, locations, lazy_.candidates.instants(arc));
-      std::size_t found = 0;
-      for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, locations,
-                         lazy_.candidates.instants(arc), lazy_.min_stability,
-                         [&](const Placement& placement) {
-                           lazy_.hubs.link(placement);
-                           if (++found % LazyState::kWatch == 0) lazy_.watch_memory();
-                           return true;
-                         });
-    }
-    lazy_.hubs.rank();
+    link_ends(lazy_);
     for (int pose = 1; pose < K; ++pose) {
       for (int hub = 0; hub < lazy_.hubs.size(); ++hub) {
         poll();
@@ -152,6 +140,22 @@ class Frontier {
     const Options& options = lazy_.graph.options;
     if (options.max_regrasps >= 2) {
       push({lazy_.displacements.least() + 2 * options.regrasp_cost, Entry::Kind::more_regrasps});
+    }
+  }
+
+  bool is_untouched(const Entry& entry) const {
+    return entry.kind == Entry::Kind::hub && lazy_.hubs.is_untouched(entry.index, entry.pose);
+  }
+
+  /// Compares the members of the next untouched hubs together, and enters these again.
+  void compare(const Entry& first) {
+    std::vector<HubPose> together{{first.index, first.pose}};
+    for (; together.size() < kHubs && !queue_.empty() && is_untouched(queue_.top()); queue_.pop()) {
+      together.push_back({queue_.top().index, queue_.top().pose});
+    }
+    lazy_.hubs.compare(together, lazy_.crew);
+    for (const auto& [hub, pose] : together) {
+      push({lazy_.hubs.bound(hub, pose), Entry::Kind::hub, hub, pose});
     }
   }
 
@@ -234,6 +238,8 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
       frontier.list_hubs();  // Figure 5(b), cost (10): no route without regrasps is cheaper
     } else if (entry.kind == Entry::Kind::more_regrasps) {
       return search_many_regrasps(lazy, lazy.graph.options.max_regrasps);  // nor one with one
+    } else if (frontier.is_untouched(entry)) {
+      frontier.compare(entry);
     } else if (frontier.tighten(entry) || frontier.cost(entry) > entry.cost) {
       frontier.push_again(entry);  // by functionals that other placements have left behind: no LP
     } else if (frontier.request(entry, queries)) {

@@ -19,12 +19,13 @@ LazyState::LazyState(const PoseGraph& graph_in, std::vector<Evaluator>& evaluato
       min_stability(static_cast<float>(graph_in.options.min_stability)),
       clock(clock_in),
       statistics(statistics_in),
+      crew(graph_in.options.threads),
       bounds(graph_in, evaluators.front().instants()),
       displacements(graph_in),
       candidates(graph_in, bounds, displacements),
       hubs(graph_in, bounds, displacements, candidates),
       limit(limit_in),
-      pool_(evaluators, graph_in.options.threads) {}
+      pool_(evaluators, crew) {}
 
 void LazyState::record(const std::vector<StabilityQuery>& queries) {
   for (const StabilityQuery& query : queries) {

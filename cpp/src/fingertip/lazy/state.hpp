@@ -7,6 +7,7 @@
 
 #include "fingertip/lazy/bounds.hpp"
 #include "fingertip/lazy/candidates.hpp"
+#include "fingertip/lazy/crew.hpp"
 #include "fingertip/lazy/displacements.hpp"
 #include "fingertip/lazy/evaluator_pool.hpp"
 #include "fingertip/lazy/hubs.hpp"
@@ -37,6 +38,7 @@ struct LazyState {
   const float min_stability;  // [N]
   planning::Clock& clock;
   Statistics& statistics;
+  Crew crew;
   StabilityBounds bounds;
   const Displacements displacements;
   Candidates candidates;
@@ -68,12 +70,17 @@ Route search_many_regrasps(LazyState& lazy, int max_regrasps);
 /// these instants allow the stability `needed`, in lexicographic order, until it returns false.
 void for_each_placement(const PoseGraph& graph, const StabilityBounds& bounds, int count,
                         const std::vector<int>& locations, const std::vector<int>& instants,
-                        float needed, const std::function<bool(const Placement&)>& found);
+                        float needed, Crew& crew,
+                        const std::function<bool(const Placement&)>& found);
 
 /// Solves a few placements at the instants, until their functionals exclude nearly all placements
 /// that can be excluded.
 void seed_bounds(LazyState& lazy, const std::vector<int>& locations,
                  const std::vector<int>& instants);
+
+/// Links placements that can carry the object from the start, or to the goal, to their hubs, and
+/// ranks these.
+void link_ends(LazyState& lazy);
 
 /// Opens all placements that can carry the object along any arc, and links them to their hubs.
 void open_all(LazyState& lazy);

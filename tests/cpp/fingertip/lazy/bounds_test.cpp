@@ -116,9 +116,10 @@ TEST(StabilityBounds, SpanWhatTheEnumerationFinds) {
   std::vector<int> all;
   for (int i = 0; i < setting.locations.size(); i += 3) all.push_back(i);
   const int instant = setting.graph.instant(0, 0), rest = setting.graph.rest_instant(0);
+  Crew crew(2);
   std::vector<Placement> found;
   const auto needed = static_cast<float>(setting.options.min_stability);
-  for_each_placement(setting.graph, setting.bounds, 2, all, {instant, rest}, needed,
+  for_each_placement(setting.graph, setting.bounds, 2, all, {instant, rest}, needed, crew,
                      [&](const Placement& placement) {
                        found.push_back(placement);
                        return true;

@@ -26,7 +26,7 @@ struct HubSetting : Instance {
         if (locations.are_apart(a, b)) lazy->hubs.link({a, b, -1, -1});
       }
     }
-    lazy->hubs.rank();
+    lazy->hubs.rank(lazy->crew);
   }
 
   /// The least cost at a hub by the costs of all its placements.

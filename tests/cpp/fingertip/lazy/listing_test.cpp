@@ -49,7 +49,7 @@ TEST(Listing, ListsOnceAllThatMayCostLessThanTheBest) {
     int allowed = 0;
     for_each_placement(setting.graph, lazy.bounds, lazy.count,
                        clear_locations(setting.graph, 0, setting.graph.num_arcs()), some,
-                       lazy.min_stability, [&](const Placement& placement) {
+                       lazy.min_stability, lazy.crew, [&](const Placement& placement) {
                          if (listing.cost(placement) > best) return true;
                          EXPECT_TRUE(listed.count(placement) > 0);
                          ++allowed;

@@ -176,8 +176,10 @@ TEST(LazySearch, FourFingersCostWhatDijkstraCosts) {
 }
 
 TEST(LazySearch, RepeatsWhateverTheThreads) {
-  for (const bool has_side_wall : {false, true}) {
-    const auto instance = instance_of(tumble_case(has_side_wall));
+  for (const auto& [has_side_wall, per_side] : {std::pair{false, 7}, {true, 7}, {true, 11}}) {
+    Options options;
+    options.locations_per_side = per_side;
+    const auto instance = std::make_unique<LazyInstance>(tumble_case(has_side_wall), options);
     const Route first = instance->fast();
     for (const int threads : {1, 2, 3}) {
       instance->options.threads = threads;
