@@ -13,7 +13,9 @@
 namespace graspless::fingertip {
 namespace {
 
-GRASPLESS_SIMD void lower(const double* to, std::size_t size, double* value) {
+GRASPLESS_SIMD void lower(const double* to, std::vector<double>& values) {
+  double* value = values.data();
+  const std::size_t size = values.size();
   for (std::size_t i = 0; i < size; ++i) value[i] = to[i] < value[i] ? to[i] : value[i];
 }
 
@@ -72,15 +74,11 @@ void Hubs::rank(Crew& crew) {
   const auto size = kept_.size() * static_cast<std::size_t>(graph_.num_poses());
   memory_ += static_cast<std::int64_t>((size - least_.size()) * sizeof(Least));
   least_.resize(size);
-  part_least_.resize(kept_.size());
   constexpr std::size_t kHubs = 16;  // an item
   crew.share((kept_.size() + kHubs - 1) / kHubs, [&](std::size_t item) {
     const std::size_t last = std::min(kept_.size(), (item + 1) * kHubs);
     for (std::size_t hub = item * kHubs; hub < last; ++hub) rank(static_cast<int>(hub));
   });
-  for (const std::vector<double>& parts : part_least_) {
-    memory_ += static_cast<std::int64_t>(parts.size() * sizeof(double));
-  }
 }
 
 /// Members by ascending least arc: what they cost from pose to pose is no less.
@@ -96,17 +94,10 @@ void Hubs::rank(int hub) {
     members.push_back({displacements_.ranking()[static_cast<std::size_t>(rank)]});
   }
   const auto poses = static_cast<std::size_t>(graph_.num_poses());
-  std::vector<double>& parts = part_least_[static_cast<std::size_t>(hub)];
-  parts.assign((members.size() + kPart - 1) / kPart * 2 * poses, kInfinity);
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    double* part = &parts[i / kPart * 2 * poses];
-    lower(displacements_.before(members[i].location), poses, part);
-    lower(displacements_.after(members[i].location), poses, part + poses);
-  }
   std::vector<double> before(poses, kInfinity), after = before;
-  for (std::size_t part = 0; part < parts.size(); part += 2 * poses) {
-    lower(&parts[part], poses, before.data());
-    lower(&parts[part + poses], poses, after.data());
+  for (const Member& m : members) {
+    lower(displacements_.before(m.location), before);
+    lower(displacements_.after(m.location), after);
   }
   for (const std::int32_t location : kept(hub)) {
     if (location < 0) break;
@@ -189,7 +180,8 @@ void Hubs::examine(const Placement& placement, Member& member) const {
 
 /// Of equal costs the first member's counts.
 Hubs::Least Hubs::least_of(int hub, int pose) {
-  constexpr double kRounding = 1e-9;  // of costs summed in another order
+  constexpr double kRounding = 1e-9;         // of costs summed in another order
+  constexpr std::size_t kBetweenLooks = 16;  // members, for a look at whether more can cost less
   const double arcs_before = pose * (1 - kRounding);
   const double arcs_after = (graph_.num_arcs() - pose) * (1 - kRounding);
   const double* all_before = displacements_.before_at(pose);
@@ -202,18 +194,10 @@ Hubs::Least Hubs::least_of(int hub, int pose) {
   }
   Least least;
   std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
-  const auto poses = static_cast<std::size_t>(graph_.num_poses());
-  const double* part = part_least_[static_cast<std::size_t>(hub)].data() + pose;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (i % kPart == 0) {
+    if (i % kBetweenLooks == 0) {
       const double each = displacements_.least_arc(members[i].location);
       if (each * arcs_before > least.before && each * arcs_after > least.after) break;
-      const double* of = part + i / kPart * 2 * poses;
-      if (std::max(kept_before, of[0]) >= least.before &&
-          std::max(kept_after, of[poses]) >= least.after) {
-        i += kPart - 1;
-        continue;
-      }
     }
     Member& m = members[i];
     double before = std::max(kept_before, all_before[m.location]);

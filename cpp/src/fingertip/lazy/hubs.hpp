@@ -79,12 +79,11 @@ class Hubs {
   bool request(int hub, int pose, std::vector<StabilityQuery>& queries);
   void record(const StabilityQuery& query);
 
-  std::int64_t memory() const { return memory_; }  // of members, neighbors, least costs
+  std::int64_t memory() const { return memory_; }  // of members, neighbors and least costs
   /// Distinct instants at rest.
   const std::vector<int>& instants() const { return instants_; }
 
  private:
-  static constexpr std::size_t kPart = 64;
   enum class Known : std::uint8_t { open, requested, stable, unstable };
   /// Least costs up to a pose and from it on, as last compared, and the members that have them.
   struct Least {
@@ -115,7 +114,6 @@ class Hubs {
   std::vector<int> instants_, slots_;
   std::vector<Placement> kept_;
   std::vector<std::vector<Member>> members_;
-  std::vector<std::vector<double>> part_least_;   // of kPart members each: before, after, all poses
   std::vector<std::vector<Neighbor>> neighbors_;  // empty until they are asked for
   std::vector<Known> known_;                      // hubs x slots
   std::vector<Least> least_;                      // hubs x poses
