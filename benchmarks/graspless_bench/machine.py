@@ -60,5 +60,11 @@ def machine(load: Sequence[float], baseline_bytes: int) -> Row:
         "baseline_mb": round(baseline_bytes / MEGA, 1),
         "peak_is_per_query": memory.reset_peak(),
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-        "command": re.sub(r" --out[ =]\S+", "", " ".join(["graspless", *sys.argv[1:]])),
+        "command": _command(),
     }
+
+
+def _command() -> str:
+    """The command without folders of this machine."""
+    words = " ".join(["graspless", *sys.argv[1:]])
+    return re.sub(r"( --against[ =])\S*/", r"\1", re.sub(r" --out[ =]\S+", "", words))

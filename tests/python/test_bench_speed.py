@@ -55,8 +55,7 @@ def row_of(**asked):
     ids=lambda q: q.name,
 )
 def test_the_first_problem_of_each_query_has_a_result(query):
-    run = next(iter(query.make()))
-    first, again = run(), run()
+    first, again = (next(iter(query.make()))() for _ in range(2))
     assert first.is_good
     assert first.value == again.value
 
@@ -186,3 +185,11 @@ def test_profiles_need_valgrind(monkeypatch, capsys):
     monkeypatch.setenv("PATH", "/nowhere")
     assert main(["bench", "profile"]) == 2
     assert "bench profile: needs valgrind" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("part", ["all", "profile"])
+def test_results_were_made_by_this_code(part):
+    result = json.loads((RESULTS / f"speed_{part}.json").read_text())
+    assert result["complete"]
+    expected = [query.name for query in QUERIES if part == "all" or query.room]
+    assert [row["name"] for row in result["rows"]] == expected

@@ -59,7 +59,7 @@ def _times(options: argparse.Namespace) -> int:
         asked = {n: stack.enter_context(builds.Build(at)) for n, at in folders.items()}
         rows, is_complete = measure.run(queries, asked, bar.tell)
     bar.close()
-    result = report.as_result("all", rows, is_complete, load, str(options.against or ""))
+    result = report.as_result("all", rows, is_complete, load, _name(options.against))
     return finish(options, result, report)
 
 
@@ -73,7 +73,7 @@ def _profile(options: argparse.Namespace) -> int:
     with contextlib.ExitStack() as stack:
         rows, is_complete = profile.run(queries, _folders(options, stack), bar.tell)
     bar.close()
-    result = report.as_result("profile", rows, is_complete, load, str(options.against or ""))
+    result = report.as_result("profile", rows, is_complete, load, _name(options.against))
     return finish(options, result, report)
 
 
@@ -93,3 +93,7 @@ def _folders(options: argparse.Namespace, stack: contextlib.ExitStack) -> dict[s
         return {"new": None}
     folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
     return {"old": unpacked(options.against, folder), "new": None}
+
+
+def _name(against: Path | None) -> str:
+    return "" if against is None else against.name

@@ -26,7 +26,8 @@ PROBLEMS = 20  # of a query, at most
 
 _ONCE = """
 from graspless_bench.speed.queries import OF_NAME
-problems = list(OF_NAME[{name!r}].make())
+query = OF_NAME[{name!r}]
+problems = list((query.profiled or query.make)())
 for run in problems[:: -(-len(problems) // {limit})]:
     run()
 """
@@ -109,7 +110,9 @@ def _annotated(query: Query, folder: Path | None) -> Sequence[str]:
         out = Path(directory) / "callgrind.out"
         tool = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
         inside = f"--toggle-collect=graspless::{query.room}::plan(*"
-        subprocess.run([*tool, inside, *command], env=env, capture_output=True, check=True)
+        done = subprocess.run([*tool, inside, *command], env=env, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise TaskError(f"bench profile: {query.name}: valgrind failed: {done.stderr[-500:]}")
         annotate = ["callgrind_annotate", "--threshold=100", "--show-percs=no", str(out)]
         text = subprocess.run(annotate, capture_output=True, text=True, check=True).stdout
     return text.split("file:function", 1)[-1].splitlines()
