@@ -66,5 +66,13 @@ def machine(load: Sequence[float], baseline_bytes: int) -> Row:
 
 def _command() -> str:
     """The command without folders of this machine."""
-    words = " ".join(["graspless", *sys.argv[1:]])
-    return re.sub(r"( --against[ =])\S*/", r"\1", re.sub(r" --out[ =]\S+", "", words))
+    words, given = ["graspless"], iter(sys.argv[1:])
+    for word in given:
+        option, is_joined, value = word.partition("=")
+        if option not in ("--out", "--against"):
+            words.append(word)
+            continue
+        value = value if is_joined else next(given, "")
+        if option == "--against":
+            words += [option, Path(value).name]
+    return " ".join(words)

@@ -3,12 +3,14 @@
 """Queries beside those of another build, the profile of their rooms, and the page of both."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
 
 import graspless
 from graspless.cli import main
+from graspless_bench import machine
 from graspless_bench.speed import builds, measure, profile, report
 from graspless_bench.speed.queries import OF_NAME, QUERIES
 
@@ -114,11 +116,29 @@ def test_fewer_results_than_before_are_a_complaint():
     assert result["complaints"] == ["slide: 0 results, 1 before"]
 
 
-@pytest.mark.parametrize("fails", ["open", "run"])
+def test_another_build_that_answers_nothing_is_a_complaint():
+    rows = [row_of(old=Scripted([1.0], fails="open"), new=Scripted([1.0]))]
+    result = report.as_result("all", rows, True, [0, 0, 0], "old.whl")
+    assert result["complaints"] == ["the other build answers nothing: lacks it"]
+
+
+def test_a_worker_that_has_ended_is_started_again():
+    with builds.Build(None) as build:
+        build.ask(open="slide: plan file saved and loaded")
+        build._process.kill()
+        with pytest.raises(builds.NoAnswerError, match="code -9"):
+            build.ask(run=0)
+        assert build.ask(open="slide: plan file saved and loaded") == {"problems": 1}
+
+
+@pytest.mark.parametrize("fails", ["open", "run", "close"])
 def test_a_build_that_cannot_answer_leaves_the_other_alone(fails):
     rows = [row_of(old=Scripted([1.0], fails=fails), new=Scripted([1.0]))]
-    assert rows[0]["old"] == {"error": "lacks it"}
     assert rows[0]["new"]["good"] == 1
+    if fails == "close":
+        assert rows[0]["old"]["good"] == 1
+        return
+    assert rows[0]["old"] == {"error": "lacks it"}
     text = report.as_text(report.as_result("all", rows, True, [0, 0, 0], "old.whl"))
     assert "the other build cannot answer slide: lacks it" in text
 
@@ -171,12 +191,14 @@ def test_instructions_are_counted_by_room():
 
 
 def test_only_rooms_of_a_hundredth_are_shown(tmp_path):
-    rows = [{"name": "slide", "new": {"robot": 995, "slide": 5}, "old": {"robot": 1, "slide": 1}}]
+    old = {"robot": 1, "slide": 1, "KDL": 1}
+    rows = [{"name": "slide", "new": {"robot": 995, "slide": 5}, "old": old}]
     rows += [{"name": "clasp", "new": {"robot": 995, "slide": 5}}]
     result = report.as_result("profile", rows, True, [0, 0, 0], "")
     report.write(result, tmp_path)
     slide, clasp = (tmp_path / "speed.md").read_text().split("| clasp |")
     assert "| slide |" in slide.split("| slide | old | new |")[1]
+    assert "| KDL | 0.0 M, 33.3 % | 0.0 M, 0 % |" in slide
     assert "| slide |" not in clasp
     assert "| robot |" in clasp
 
@@ -193,3 +215,16 @@ def test_results_were_made_by_this_code(part):
     assert result["complete"]
     expected = [query.name for query in QUERIES if part == "all" or query.room]
     assert [row["name"] for row in result["rows"]] == expected
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        (["bench", "all", "--against=/x/y/", "--out", "/tmp/my dir"], "bench all --against y"),
+        (["bench", "all", "--out=/x", "--against", "/x/a.whl"], "bench all --against a.whl"),
+        (["bench", "slide", "--runs", "3"], "bench slide --runs 3"),
+    ],
+)
+def test_commands_in_results_have_no_folders(monkeypatch, given, shown):
+    monkeypatch.setattr(sys, "argv", ["/usr/bin/graspless", *given])
+    assert machine.machine([0, 0, 0], 0)["command"] == f"graspless {shown}"

@@ -42,18 +42,17 @@ class Build:
     """
 
     def __init__(self, folder: Path | None) -> None:
-        command, env = python(_WORK, folder)
-        self._process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            env=env,
-            start_new_session=True,  # Ctrl-C ends the command, which ends its workers
-        )
+        self._folder = folder
+        self._process = _start(folder)
 
     def ask(self, **request: Any) -> dict[str, Any]:
-        """Returns the worker's answer. Raises NoAnswerError."""
+        """Returns the worker's answer. Raises NoAnswerError.
+
+        A worker that has ended is started again for the next query.
+        """
+        if "open" in request and self._process.poll() is not None:
+            self.__exit__()
+            self._process = _start(self._folder)
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         try:
@@ -74,6 +73,18 @@ class Build:
     def __exit__(self, *_: object) -> None:
         self._process.kill()
         self._process.communicate()
+
+
+def _start(folder: Path | None) -> subprocess.Popen[str]:
+    command, env = python(_WORK, folder)
+    return subprocess.Popen(
+        command,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env=env,
+        start_new_session=True,  # Ctrl-C ends the command, which ends its workers
+    )
 
 
 def python(code: str, folder: Path | None) -> tuple[list[str], Mapping[str, str]]:

@@ -31,7 +31,7 @@ def add_parsers(experiments: Any) -> None:
         "profile",
         help="instructions of each planner, by the room of the library",
         description="Counts the instructions inside the planners by valgrind's callgrind, for up "
-        "to 20 problems each. What the compiler inlines counts where it is inlined.",
+        "to 20 problems each. Inlined code counts where it is inlined.",
     )
     for parser, run in ((times, _times), (profile, _profile)):
         parser.add_argument(

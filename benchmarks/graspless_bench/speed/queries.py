@@ -181,13 +181,17 @@ def _checks_of_clasps() -> Iterator[Callable[[], Done]]:
     for trial in itertools.islice(clasps.paper(1), 0, None, 4):
         problem, options = trial.make_problem(), trial.make_options()
         plan = core_clasp.plan(problem, options, trial.make_budget(None))
-        if plan:
-            yield partial(_checked, core_clasp.check, problem, plan, options)
+        yield partial(_checked, core_clasp.check, problem, plan, options) if plan else _nothing
 
 
 def _checked(check: Any, *arguments: Any) -> Done:
     faults = check(*arguments)
     return Done(not faults, len(faults))
+
+
+def _nothing() -> Done:
+    """The answer where there is no plan to check."""
+    return Done(False, 0.0)
 
 
 def _plan_file() -> list[Callable[[], Done]]:

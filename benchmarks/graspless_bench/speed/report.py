@@ -40,6 +40,8 @@ def as_result(
         The other build as the user named it; empty if there is none.
     """
     complaints = [text for row in rows for text in _complaints(row)] if part == "all" else []
+    if rows and all("error" in row.get("old", {}) for row in rows):
+        complaints.append(f"the other build answers nothing: {rows[0]['old']['error']}")
     return {
         "bench": part,
         "complete": is_complete,
@@ -68,14 +70,18 @@ def as_text(result: Row) -> str:
         "" if result["complete"] else "INTERRUPTED: these are partial results",
         *(aligned(title, *table) for title, table in _tables(result).items()),
         f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *(
-            f"the other build cannot answer {row['name']}: {row['old']['error']}"
-            for row in result["rows"]
-            if "error" in row.get("old", {})
-        ),
+        *_unanswered(result),
         *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
     return "\n".join(line for line in lines if line)
+
+
+def _unanswered(result: Row) -> list[str]:
+    return [
+        f"the other build cannot answer {row['name']}: {row['old']['error']}"
+        for row in result["rows"]
+        if "error" in row.get("old", {})
+    ]
 
 
 def write(result: Row, directory: Path) -> None:
@@ -92,7 +98,11 @@ def write(result: Row, directory: Path) -> None:
     text = page["head"]
     for part, found in results.items():
         tables = [markdown(*table, title) for title, table in _tables(found).items()]
-        text += "\n" + string.Template(page[part]).substitute(tables="\n\n".join(tables))
+        fields = {
+            "tables": "\n\n".join(tables),
+            "unanswered": "\n".join(f"- {text}" for text in _unanswered(found)),
+        }
+        text += "\n" + string.Template(page[part]).substitute(fields)
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
     (directory / "speed.md").write_text(text + "\n" + end)
 
@@ -108,11 +118,12 @@ def _rooms(row: Row) -> tuple[list[Row], list[Column]]:
     """A table of one query: a row for every room with a hundredth of the instructions or more."""
     builds: list[str] = [build for build in ("old", "new") if build in row]
     totals = {build: sum(row[build].values()) for build in builds}
-    rooms = sorted(row["new"], key=lambda name: -row["new"][name])
+    named = {name for build in builds for name in row[build]}
+    rooms = sorted(named, key=lambda name: (-row["new"].get(name, 0), name))
     shown = [n for n in rooms if any(100 * row[b].get(n, 0) >= totals[b] for b in builds)]
 
     def column(build: str) -> Column:
-        title = "instructions" if len(builds) == 1 else f"{build}"
+        title = "instructions" if len(builds) == 1 else build
         return title, lambda r: _share(r[build], totals[build])
 
     rows = [{"name": name, **{b: row[b].get(name, 0) for b in builds}} for name in shown]

@@ -19,7 +19,7 @@ namespace graspless::collision {
 struct Solid::Data {
   std::vector<CollisionShape> shapes;
   double radius = 0;           ///< largest distance of a point from the body's origin [m]
-  bool has_enclosure = false;  ///< of one of the shapes
+  bool has_enclosure = false;  ///< a shape has one
 };
 
 struct Body {

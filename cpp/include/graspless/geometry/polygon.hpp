@@ -36,7 +36,8 @@ class GRASPLESS_API Polygon {
   bool contains(const Eigen::Vector2d& p) const;
   /// Distance from `p` to the boundary [m], positive inside and negative outside.
   double depth(const Eigen::Vector2d& p) const;
-  /// True if `p` lies inside, at least `margin` from the boundary [m]: as depth(), in less time.
+  /// True if contains(p), and `p` lies at least `margin` >= 0 from the boundary [m]. Takes less
+  /// time than depth().
   bool has_margin(const Eigen::Vector2d& p, double margin) const;
   Edge edge(int index) const;  ///< edge from vertex `index` to the next
   /// Edge nearest to `p` [m]. If two are equally near, as at a corner, the one whose line `p` lies

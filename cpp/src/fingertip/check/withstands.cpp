@@ -83,7 +83,7 @@ class Springs {
       }
     }
     yields_ = yields_.sqrt();
-    // What the environment has to supply: the first part, and t times the second.
+    // The environment has to supply the first part, and t times the second.
     rest_ = -set_.known_wrench_O;
     rest_grows_ = pushes;
     const std::size_t contacts = set_.contacts.size();

@@ -31,8 +31,8 @@ float greatest_of_edges(const float* components, int stride, const float* y);
 /// For any y with y . g <= 0 for all generators g of an instant's environment,
 ///   z <= (y . known + sum over fingers of h(y, location)) / max over d of y . l_d.
 /// An instant has up to width() functionals. A table holds h for each location, filled where it is
-/// looked at, and what a location has for all instants lies together: a placement is mostly looked
-/// at from instant to instant. Threads may look at bounds together while none adds any. A
+/// looked at. The entries of a location for all instants lie together, since a placement is mostly
+/// looked at from instant to instant. Threads may look at bounds together while none adds any. A
 /// functional found at one instant serves others too: what an environment cannot do stays the same
 /// in the world while the object turns about standing contacts, and in the object while it slides.
 class StabilityBounds {

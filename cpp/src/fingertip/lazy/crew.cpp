@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 #include "graspless/watch.hpp"
 
@@ -17,7 +18,12 @@ constexpr auto kAwake = std::chrono::microseconds(1000);
 }  // namespace
 
 Crew::Crew(int threads) {
-  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { help(); });
+  threads_.reserve(static_cast<std::size_t>(std::max(0, threads - 1)));
+  try {
+    for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { help(); });
+  } catch (const std::system_error&) {
+    // The system allows no more threads: fewer do the same work.
+  }
 }
 
 Crew::~Crew() {

@@ -10,11 +10,13 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace graspless::fingertip {
 
-/// The thread that made it, and helpers. Which thread takes which item must not matter.
+/// Shares items among the thread that made it and its helpers. Results must not depend on the
+/// thread that takes an item.
 class Crew {
  public:
   explicit Crew(int threads);
