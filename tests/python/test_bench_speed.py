@@ -215,6 +215,7 @@ def test_results_were_made_by_this_code(part):
     assert result["complete"]
     expected = [query.name for query in QUERIES if part == "all" or query.room]
     assert [row["name"] for row in result["rows"]] == expected
+    assert not [row["name"] for row in result["rows"] if "error" in row.get("old", {})]
 
 
 @pytest.mark.parametrize(
