@@ -96,4 +96,4 @@ def _folders(options: argparse.Namespace, stack: contextlib.ExitStack) -> dict[s
 
 
 def _name(against: Path | None) -> str:
-    return "" if against is None else against.name
+    return "" if against is None else against.resolve().name

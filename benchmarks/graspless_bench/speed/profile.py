@@ -58,11 +58,12 @@ def run(
     builds: Mapping[str, Path | None],
     tell: Callable[[int, str], None] = lambda done, name: None,
 ) -> tuple[list[Row], bool]:
-    """Returns instructions by room of every query that has one, and False after Ctrl-C.
+    """Returns instructions by room of every query, and False after Ctrl-C.
 
     Parameters
     ----------
     queries : list of Query
+        With a `room`.
     builds : dict of str to Path or None
         "new" and "old": folders that contain the package `graspless`. None: the installed one.
     tell : function
@@ -70,7 +71,7 @@ def run(
     """
     rows: list[Row] = []
     try:
-        for query in (query for query in queries if query.room):
+        for query in queries:
             tell(len(rows), query.name)
             counts = {name: counted(_annotated(query, at)) for name, at in builds.items()}
             rows.append({"name": query.name, **{name: dict(c) for name, c in counts.items()}})

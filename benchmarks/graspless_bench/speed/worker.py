@@ -72,7 +72,3 @@ def main() -> None:
         except Exception as error:  # an older build may lack what a query needs
             answer = {"error": f"{type(error).__name__}: {error}"}
         print(json.dumps(answer), file=answers, flush=True)
-
-
-if __name__ == "__main__":
-    main()

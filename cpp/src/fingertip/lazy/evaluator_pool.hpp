@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "fingertip/lazy/crew.hpp"
+#include "fingertip/crew.hpp"
 #include "fingertip/model/evaluator.hpp"
 
 namespace graspless::fingertip {

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "fingertip/crew.hpp"
 #include "fingertip/lazy/candidates.hpp"
-#include "fingertip/lazy/crew.hpp"
 
 namespace graspless::fingertip {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "fingertip/crew.hpp"
 #include "fingertip/lazy/bounds.hpp"
 #include "fingertip/lazy/candidates.hpp"
-#include "fingertip/lazy/crew.hpp"
 #include "fingertip/lazy/displacements.hpp"
 #include "fingertip/lazy/evaluator_pool.hpp"
 #include "fingertip/lazy/hubs.hpp"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Threads that share the work of one search.
-#include "fingertip/lazy/crew.hpp"
+#include "fingertip/crew.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Items are taken once each, whatever the number of threads, and all have ended when a job has.
-#include "fingertip/lazy/crew.hpp"
+#include "fingertip/crew.hpp"
 
 #include <atomic>
 #include <chrono>
