@@ -10,8 +10,8 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr int kAttempts = 8;    // to find a path by bounds alone
-constexpr double kGreed = 2.5;  // weight of the heuristic when any path will do
+constexpr int kAttempts = 8;        // to find a path by bounds alone
+constexpr int kBetweenClocks = 16;  // poses between two looks at the clock
 
 std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
@@ -74,13 +74,7 @@ double PlacementCosts::solve(int pose, int move) {
 }
 
 PoseSearch::PoseSearch(const PoseGraph& graph, RemainingDistance& remaining)
-    : graph_(graph),
-      remaining_(remaining),
-      best_(ix(graph.num_poses())),
-      parent_(ix(graph.num_poses())),
-      move_(ix(graph.num_poses())),
-      stamp_(ix(graph.num_poses()), 0),
-      closed_(ix(graph.num_poses()), 0) {}
+    : graph_(graph), remaining_(remaining), states_(ix(graph.num_poses())) {}
 
 void PoseSearch::begin(const Placement& placement, double limit) {
   ++round_;
@@ -97,6 +91,17 @@ double PoseSearch::heuristic(int pose) const {
   return most * (1 - 1e-12);
 }
 
+/// What this round knows of a pose.
+PoseSearch::State& PoseSearch::state(int pose) {
+  State& state = states_[ix(pose)];
+  if (state.round != round_) {
+    state = State{};
+    state.round = round_;
+    state.rest = heuristic(pose);
+  }
+  return state;
+}
+
 void PoseSearch::push(const Entry& entry) {
   heap_.push_back(entry);
   std::push_heap(heap_.begin(), heap_.end());
@@ -105,18 +110,18 @@ void PoseSearch::push(const Entry& entry) {
 void PoseSearch::expand(PlacementCosts& costs, int pose, double g, const Settings& settings) {
   for (int move = 0; move < graph_.num_moves(); ++move) {
     const int to = graph_.next(pose, move);
-    if (to < 0 || closed_[ix(to)] == round_) continue;
-    const double cost = costs.cost(pose, move);
-    if (cost == kInfinity) continue;
-    const double g_to = g + cost;
-    if (stamp_[ix(to)] == round_ && g_to >= best_[ix(to)]) continue;
-    const double rest = heuristic(to);
-    if (!(g_to + rest < settings.limit) || !costs.is_clear(to)) continue;
-    if (!settings.exact || costs.is_solved(pose, move)) {
-      stamp_[ix(to)] = round_;
-      best_[ix(to)] = g_to;
+    if (to < 0) continue;
+    State& there = state(to);
+    if (there.is_closed) continue;
+    const double g_to = g + costs.cost(pose, move);
+    if (!(g_to < there.g && g_to + there.rest < settings.limit)) continue;
+    if (!there.is_clear && !costs.is_clear(to)) {
+      there.is_closed = true;
+      continue;
     }
-    push({g_to + settings.greed * rest, g_to, to, pose, move});
+    there.is_clear = true;
+    if (!settings.exact || costs.is_solved(pose, move)) there.g = g_to;
+    push({g_to + there.rest, g_to, to, pose, move});
   }
 }
 
@@ -126,7 +131,7 @@ PosePath PoseSearch::find(PlacementCosts& costs, double limit, planning::Clock& 
   if (!costs.is_clear(graph_.start()) || !costs.is_clear(graph_.goal())) return best;
   // By the bounds alone first: most placements fail at that.
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    PosePath path = search(costs, {limit, false, 1}, clock, statistics);
+    PosePath path = search(costs, {limit, false}, clock, statistics);
     if (!path.found) return best;
     if (!solve_all(costs, path)) continue;
     if (path.cost >= limit) break;
@@ -134,18 +139,8 @@ PosePath PoseSearch::find(PlacementCosts& costs, double limit, planning::Clock& 
     best = std::move(path);
     break;
   }
-  PosePath path = search(costs, {limit, true, 1}, clock, statistics);
+  PosePath path = search(costs, {limit, true}, clock, statistics);
   return path.found ? path : best;
-}
-
-PosePath PoseSearch::find_soon(PlacementCosts& costs, double limit, planning::Clock& clock,
-                               Statistics& statistics) {
-  if (!costs.is_clear(graph_.start()) || !costs.is_clear(graph_.goal())) return {};
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    PosePath path = search(costs, {limit, false, kGreed}, clock, statistics);
-    if (!path.found || (solve_all(costs, path) && path.cost < limit)) return path;
-  }
-  return {};
 }
 
 /// Solves the arcs of a path, and its cost; false when one is impossible.
@@ -162,26 +157,29 @@ bool PoseSearch::solve_all(PlacementCosts& costs, PosePath& path) {
 PosePath PoseSearch::search(PlacementCosts& costs, const Settings& settings, planning::Clock& clock,
                             Statistics& statistics) {
   begin(costs.placement(), settings.limit);
-  if (heuristic(graph_.start()) >= settings.limit) return {};
-  push({heuristic(graph_.start()), 0, graph_.start(), -1, -1});
-  while (!heap_.empty() && !clock.is_out()) {
+  const double least = state(graph_.start()).rest;
+  if (least >= settings.limit) return {};
+  push({least, 0, graph_.start(), -1, -1});
+  for (int taken = 0; !heap_.empty(); ++taken) {
+    if (taken % kBetweenClocks == 0 && clock.is_out()) break;
     std::pop_heap(heap_.begin(), heap_.end());
     const Entry entry = heap_.back();
     heap_.pop_back();
-    if (closed_[ix(entry.pose)] == round_) continue;
+    State& here = state(entry.pose);
+    if (here.is_closed) continue;
     if (settings.exact && entry.from >= 0) {
       // It may have been pushed with a bound.
-      const double g = best_[ix(entry.from)] + costs.solve(entry.from, entry.move);
+      const double g = state(entry.from).g + costs.solve(entry.from, entry.move);
       if (g > entry.g) {
-        const double f = g + settings.greed * heuristic(entry.pose);
+        const double f = g + here.rest;
         if (f < settings.limit) push({f, g, entry.pose, entry.from, entry.move});
         continue;
       }
     }
-    closed_[ix(entry.pose)] = stamp_[ix(entry.pose)] = round_;
-    best_[ix(entry.pose)] = entry.g;
-    parent_[ix(entry.pose)] = entry.from;
-    move_[ix(entry.pose)] = entry.move;
+    here.is_closed = true;
+    here.g = entry.g;
+    here.parent = entry.from;
+    here.move = entry.move;
     ++statistics.nodes;
     if (entry.pose == graph_.goal()) return path_to_goal();
     expand(costs, entry.pose, entry.g, settings);
@@ -192,10 +190,11 @@ PosePath PoseSearch::search(PlacementCosts& costs, const Settings& settings, pla
 PosePath PoseSearch::path_to_goal() const {
   PosePath path;
   path.found = true;
-  path.cost = best_[ix(graph_.goal())];
-  for (int pose = graph_.goal(); pose >= 0; pose = parent_[ix(pose)]) {
+  path.cost = states_[ix(graph_.goal())].g;
+  for (int pose = graph_.goal(); pose >= 0; pose = states_[ix(pose)].parent) {
     path.poses.push_back(pose);
-    if (parent_[ix(pose)] >= 0) path.moves.push_back(move_[ix(pose)]);
+    const State& state = states_[ix(pose)];
+    if (state.parent >= 0) path.moves.push_back(state.move);
   }
   std::reverse(path.poses.begin(), path.poses.end());
   std::reverse(path.moves.begin(), path.moves.end());

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <random>
 #include <utility>
 
 #include "graspless/watch.hpp"
@@ -18,7 +17,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr int kSamples = 300;               // random placements for a first route
 constexpr double kSmallGraph = 3e5;         // nodes that are searched to the end
 constexpr std::size_t kMaxNodes = 2000000;  // of a larger one
 constexpr double kGreedOfRegrasps = 2.5;
@@ -58,7 +56,6 @@ class PlacementSearch {
 
   void run() {
     const int count = graph_.num_fingers;
-    find_any(count);
     // All placements whose farthest sphere is this one have the same bound.
     for (std::size_t last = 0; last < reaches_.size(); ++last) {
       if (reaches_[last].distance >= route_.cost) break;
@@ -72,29 +69,11 @@ class PlacementSearch {
   }
 
  private:
-  /// A first route from random placements, so that the rest can be refused by their bounds.
-  void find_any(int count) {
-    std::mt19937 random(1);
-    for (int i = 0; i < kSamples && !clock_.is_out(); ++i) {
-      // Only placements that could be cheaper than what is there.
-      const auto end = std::lower_bound(reaches_.begin(), reaches_.end(), Reach{route_.cost, -1});
-      const auto choices = static_cast<std::size_t>(end - reaches_.begin());
-      Placement placement = kNoFingers;
-      for (int k = 0; k < count && choices > 0; ++k) {
-        const int location = reaches_[random() % choices].location;
-        if (has_room(graph_, graph_.start(), placement, location)) {
-          placement = with(placement, location);
-        }
-      }
-      if (num_fingers(placement) == count) examine(placement, true);
-    }
-  }
-
   /// Adds `missing` fingers on locations before `last`; false when time is up.
   bool extend(const Placement& placement, std::size_t last, int missing) {
     if (missing == 0) {
       if (clock_.is_out() || !clock_.spend()) return false;
-      examine(placement, false);
+      examine(placement);
       return true;
     }
     for (std::size_t i = 0; i < last; ++i) {
@@ -106,13 +85,12 @@ class PlacementSearch {
     return true;
   }
 
-  void examine(const Placement& placement, bool soon) {
+  void examine(const Placement& placement) {
     if (!has_arc(placement, graph_.start(), true) || !has_arc(placement, graph_.goal(), false)) {
       return;
     }
     PlacementCosts costs(graph_, bounds_, placement);
-    const PosePath path = soon ? pose_search_.find_soon(costs, route_.cost, clock_, statistics_)
-                               : pose_search_.find(costs, route_.cost, clock_, statistics_);
+    const PosePath path = pose_search_.find(costs, route_.cost, clock_, statistics_);
     if (!path.found) return;
     route_.found = true;
     route_.cost = path.cost;

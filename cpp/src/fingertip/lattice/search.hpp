@@ -60,15 +60,10 @@ class PoseSearch {
   PosePath find(PlacementCosts& costs, double limit, planning::Clock& clock,
                 Statistics& statistics);
 
-  /// Some path below `limit`, found with less work; it may miss one that is there.
-  PosePath find_soon(PlacementCosts& costs, double limit, planning::Clock& clock,
-                     Statistics& statistics);
-
  private:
   struct Settings {
     double limit;
-    bool exact;    // solve arcs, instead of taking their bounds
-    double greed;  // weight of the heuristic
+    bool exact;  // solve arcs, instead of taking their bounds
   };
   struct Entry {
     double f, g;
@@ -77,7 +72,16 @@ class PoseSearch {
       return f > other.f || (f == other.f && g < other.g);
     }
   };
+  struct State {                                         // of a pose
+    double g = std::numeric_limits<double>::infinity();  // the least solved cost to come
+    double rest = 0;                                     // heuristic
+    int round = 0;                                       // in which it was reached
+    int parent = -1, move = -1;
+    bool is_clear = false;   // known to be
+    bool is_closed = false;  // expanded, or not clear
+  };
   void begin(const Placement& placement, double limit);
+  State& state(int pose);
   double heuristic(int pose) const;
   void push(const Entry& entry);
   PosePath search(PlacementCosts& costs, const Settings& settings, planning::Clock& clock,
@@ -90,9 +94,7 @@ class PoseSearch {
   RemainingDistance& remaining_;
   std::vector<const double*> to_goal_;  // of the fingers' spheres
   std::vector<Entry> heap_;
-  std::vector<double> best_;  // poses: the least solved cost to come
-  std::vector<int> parent_, move_;
-  std::vector<int> stamp_, closed_;
+  std::vector<State> states_;  // poses
   int round_ = 0;
 };
 

@@ -13,8 +13,42 @@ namespace {
 
 constexpr double kSamePoint = 1e-12;  // [m]
 constexpr double kSlack = 1 - 1e-12;  // of lower bounds, for rounding
+constexpr int kParts = 16;            // buckets that the longest arc spans
 
 std::size_t ix(int i) { return static_cast<std::size_t>(i); }
+
+struct Entry {
+  double distance;
+  int pose;
+};
+
+/// Poses by ascending distance, but in any order within a bucket (Dial's queue): no entry is more
+/// than the longest arc behind the first.
+class Buckets {
+ public:
+  explicit Buckets(double longest_arc)
+      : width_(longest_arc > 0 ? longest_arc / kParts : 1), buckets_(kParts + 3) {}
+
+  void push(const Entry& entry) {
+    at(static_cast<std::size_t>(entry.distance / width_)).push_back(entry);
+    ++size_;
+  }
+  Entry pop() {
+    while (at(first_).empty()) ++first_;
+    const Entry entry = at(first_).back();
+    at(first_).pop_back();
+    --size_;
+    return entry;
+  }
+  bool empty() const { return size_ == 0; }
+
+ private:
+  std::vector<Entry>& at(std::size_t i) { return buckets_[i % buckets_.size()]; }
+
+  double width_;
+  std::vector<std::vector<Entry>> buckets_;
+  std::size_t first_ = 0, size_ = 0;
+};
 
 }  // namespace
 
@@ -46,6 +80,7 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
   for (int motion = 0; motion < graph_.num_motions(); ++motion) {
     arcs.push_back(graph_.options.samples_per_arc * graph_.displacement(motion, location));
   }
+  Buckets queue(arcs.empty() ? 0 : *std::max_element(arcs.begin(), arcs.end()));
   std::vector<double> distances(ix(graph_.num_poses()), kInfinity);
   const auto push = [&](int pose, double distance) {
     double& known = distances[ix(pose)];
@@ -57,16 +92,12 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
       if (distance + straight >= limit) return;
     }
     known = distance;
-    heap_.push_back({distance, pose});
-    std::push_heap(heap_.begin(), heap_.end());
+    queue.push({distance, pose});
   };
-  heap_.clear();
   push(graph_.goal(), 0);
-  while (!heap_.empty()) {
+  while (!queue.empty()) {
     poll();
-    std::pop_heap(heap_.begin(), heap_.end());
-    const Entry entry = heap_.back();
-    heap_.pop_back();
+    const Entry entry = queue.pop();
     if (entry.distance > distances[ix(entry.pose)] || !graph_.is_free(entry.pose)) continue;
     for (int move = 0; move < graph_.num_moves(); ++move) {
       const int from = graph_.previous(entry.pose, move);

@@ -29,12 +29,6 @@ class RemainingDistance {
   std::int64_t memory() const;  // [bytes]
 
  private:
-  struct Entry {
-    double distance;
-    int pose;
-    // The top of a std heap is its greatest.
-    bool operator<(const Entry& other) const { return distance > other.distance; }
-  };
   std::vector<double> search(int location, double limit);
 
   const PoseGraph& graph_;
@@ -42,7 +36,6 @@ class RemainingDistance {
   std::vector<std::vector<double>> tables_;
   std::vector<int> pose_of_turn_;           // turns: the first pose turned so
   std::vector<Eigen::Vector3d> origins_W_;  // poses: of O, apart from X_WO for the cache's sake
-  std::vector<Entry> heap_;
 };
 
 /// Heuristic (11), made admissible and consistent: a regrasp may be cheaper than to carry the
