@@ -18,14 +18,6 @@ find_library(GRASPLESS_YAML_LIBRARY yaml-cpp REQUIRED)
 find_library(GRASPLESS_GLPK_LIBRARY glpk REQUIRED)
 find_path(GRASPLESS_GLPK_INCLUDE_DIR glpk.h REQUIRED)
 
-# orocos_kdl's config sets variables only.
-find_package(orocos_kdl REQUIRED)
-if(NOT TARGET graspless_kdl)
-  add_library(graspless_kdl INTERFACE)
-  target_include_directories(graspless_kdl SYSTEM INTERFACE ${orocos_kdl_INCLUDE_DIRS})
-  target_link_libraries(graspless_kdl INTERFACE ${orocos_kdl_LIBRARIES})
-endif()
-
 # OMPL_LIBRARIES drags in ODE and most of Boost; the planners need libompl alone.
 find_package(ompl REQUIRED)
 find_library(GRASPLESS_OMPL_LIBRARY ompl REQUIRED)
@@ -34,5 +26,5 @@ find_library(GRASPLESS_OMPL_LIBRARY ompl REQUIRED)
 add_library(graspless_dependencies INTERFACE)
 target_include_directories(graspless_dependencies SYSTEM INTERFACE "${GRASPLESS_GLPK_INCLUDE_DIR}" "${OMPL_INCLUDE_DIR}")
 target_link_libraries(graspless_dependencies INTERFACE
-  Eigen3::Eigen ompl graspless_kdl urdfdom::urdfdom_model "${GRASPLESS_TINYXML_LIBRARY}" fcl CGAL::CGAL
+  Eigen3::Eigen ompl urdfdom::urdfdom_model "${GRASPLESS_TINYXML_LIBRARY}" fcl CGAL::CGAL
   "${GRASPLESS_GLPK_LIBRARY}" "${GRASPLESS_YAML_LIBRARY}" Threads::Threads)

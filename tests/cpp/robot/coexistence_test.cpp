@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Debian's OMPL and KDL were built against different Eigens and both export weak symbols of
-// JacobiSVD; the first one loaded wins, and the other may abort. What we use of both must work in
-// one process that also decomposes matrices itself.
+// JacobiSVD; the first one loaded wins, and the other may abort. What our users may call of both
+// must work in one process that also decomposes matrices itself.
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 #include <kdl/chainfksolverpos_recursive.hpp>

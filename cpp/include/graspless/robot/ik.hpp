@@ -25,8 +25,7 @@ namespace graspless::robot {
 /// shoulder and wrist are spherical (iiwa, WAM), otherwise the last (Panda, xArm7) or the first.
 /// Offsets up to 1 cm or 0.01 rad from such a geometry are allowed for: Newton's method polishes
 /// these solutions. Every other chain uses damped least squares with joint limits, restarts, and a
-/// null-space pull to the middle of the limits. KDL's own solver is never called: it aborts in one
-/// process with Debian's OMPL (docs/architecture.md).
+/// null-space pull to the middle of the limits.
 class GRASPLESS_API Ik {
  public:
   struct Options {
