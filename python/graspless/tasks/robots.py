@@ -4,9 +4,10 @@
 
 from __future__ import annotations
 
+import time
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
@@ -18,6 +19,8 @@ from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..frames import Matrix
 
 
@@ -124,13 +127,7 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
     """Returns the robot of resolved fields; warns of what was ignored in its files."""
     field = given_field(source)
     with at(source, "robot", field):
-        built = robots.Robot.from_urdf(
-            robot.urdf_text or "",
-            srdf=robot.srdf_text or "",
-            packages=robot.packages,
-            directory=robot.directory or "",
-            X_WB=pose_matrix(robot.pose),
-        )
+        built = _built(robot)
     if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
         more = (
             f" and {len(built.warnings) - 1} more (Robot.warnings)"
@@ -140,6 +137,56 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
         text = source.message(("robot", field), f"{built.warnings[0]}{more}")
         warnings.warn(text, stacklevel=4)
     return built
+
+
+def _built(robot: Robot) -> robots.Robot:
+    """Returns a known robot, if its mesh files have not changed since, or builds it."""
+    X_WB = pose_matrix(robot.pose)
+    texts = (robot.urdf_text or "", robot.srdf_text or "", robot.directory or "")
+    key = (*texts, tuple(robot.packages.items()), X_WB.tobytes())
+    known = _known.get(key)
+    if known and known.files == _stamps(known.files):
+        return known.robot
+    began = time.time_ns()
+    built = robots.Robot.from_urdf(
+        texts[0], srdf=texts[1], packages=robot.packages, directory=texts[2], X_WB=X_WB
+    )
+    files = _stamps(collision_meshes(robot))
+    if all(stamp and stamp.changed < began for stamp in files.values()):
+        _known[key] = _Known(built, files)
+    while len(_known) > MOST_KNOWN:
+        _known.pop(next(iter(_known)), None)
+    return built
+
+
+class _Stamp(NamedTuple):
+    """A file that is replaced or written to gets another one."""
+
+    device: int
+    number: int
+    size: int
+    changed: int  # [ns]
+
+
+class _Known(NamedTuple):
+    robot: robots.Robot
+    files: dict[Path, _Stamp | None]  # of its collision meshes
+
+
+MOST_KNOWN = 8  # robots that are kept
+_known: dict[tuple[Any, ...], _Known] = {}
+
+
+def _stamps(paths: Iterable[Path]) -> dict[Path, _Stamp | None]:
+    stamps: dict[Path, _Stamp | None] = {}
+    for path in paths:
+        try:
+            found = path.stat()
+        except OSError:
+            stamps[path] = None
+        else:
+            stamps[path] = _Stamp(found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns)
+    return stamps
 
 
 def given_field(source: Source) -> str:
