@@ -49,7 +49,7 @@ std::pair<std::string, std::string> FreeSpace::collision(const Eigen::VectorXd& 
   if (!others.first.empty()) return others;
   update_poses(q);
   for (const int link : object_.links()) {
-    if (!object_.touches_by_fcl(link, X_WL_[at(link)])) continue;
+    if (!object_.check(link, X_WL_[at(link)], 0).touches) continue;
     return {robot_.frame_names()[at(link)], object_name_};
   }
   return {};

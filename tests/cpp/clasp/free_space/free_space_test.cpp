@@ -166,6 +166,36 @@ TEST(FreeSpace, NamesWhatTouches) {
   EXPECT_FALSE(FreeSpace(problem).is_free(problem.q_start));
 }
 
+TEST_P(FreeSpaceOf, NamesTheLinkThatFclNames) {
+  std::mt19937_64 rng(5);
+  int named = 0, asked = 0;
+  for (int i = 0; i < 8; ++i) {
+    VectorXd q0;
+    const Problem problem = near_palm(GetParam(), rng, q0);
+    FreeSpace space(problem);
+    ObjectCollision judge(problem);
+    scene::Scene alone(problem.robot);
+    for (int j = 0; j < 100; ++j) {
+      const VectorXd q = problem.robot.clamp(moved(q0, 0.1, rng));
+      if (!alone.is_free(q)) continue;
+      robot::Poses X_WL;
+      problem.robot.forward(q, X_WL);
+      std::string first;
+      for (const int link : judge.links()) {
+        const auto index = static_cast<std::size_t>(link);
+        if (first.empty() && judge.touches_by_fcl(link, X_WL[index]))
+          first = problem.robot.frame_names()[index];
+      }
+      ASSERT_EQ(space.collision(q).first, first) << "problem " << i << ", configuration " << j;
+      named += !first.empty();
+      asked += static_cast<int>(judge.links().size());
+    }
+    EXPECT_LT(space.num_fcl_checks(), judge.num_fcl_checks() / 4);
+  }
+  EXPECT_GT(named, 50);
+  EXPECT_LT(named, asked / 8);
+}
+
 TEST(FreeSpace, OutOfLimitsIsNotFree) {
   const Problem problem = ring_within("kr5_sdh");
   FreeSpace space(problem);
