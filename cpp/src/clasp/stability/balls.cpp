@@ -7,6 +7,8 @@
 #include <numeric>
 #include <variant>
 
+#include <Eigen/Geometry>
+
 namespace graspless::clasp {
 namespace {
 
@@ -54,33 +56,33 @@ SphereTree balls_of(const geometry::PlacedShape& placed, MeshInside inside) {
   return filling(sphere_tree({covered(placed, inside)}));
 }
 
-/// Halves balls across the direction in which they are spread most, until few are left.
-void halve(const Eigen::Matrix3Xd& centers, std::vector<int>& order, Eigen::Index begin,
-           Eigen::Index end, std::vector<BallGroup>& groups) {
+}  // namespace
+
+/// Halves points across the direction in which they are spread most, until few are left.
+void group_neighbours(const Eigen::Matrix3Xd& points, std::vector<int>& order, Eigen::Index begin,
+                      Eigen::Index end, Eigen::Index most, std::vector<BallGroup>& groups) {
   if (begin == end) return;
-  const Eigen::Matrix3Xd some =
-      centers(Eigen::all, std::vector<int>(order.begin() + begin, order.begin() + end));
-  const Eigen::Vector3d low = some.rowwise().minCoeff(), high = some.rowwise().maxCoeff();
-  if (end - begin <= kMostInGroup) {
-    groups.push_back({begin, end, (low + high) / 2, 0, 0});
+  Eigen::AlignedBox3d box;
+  std::for_each(order.begin() + begin, order.begin() + end,
+                [&](int i) { box.extend(points.col(i)); });
+  if (end - begin <= most) {
+    groups.push_back({begin, end, (box.min() + box.max()) / 2, 0, 0});
     return;
   }
   Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
+  box.sizes().maxCoeff(&axis);
   const Eigen::Index half = (begin + end) / 2;
   std::nth_element(order.begin() + begin, order.begin() + half, order.begin() + end,
-                   [&](int a, int b) { return centers(axis, a) < centers(axis, b); });
-  halve(centers, order, begin, half, groups);
-  halve(centers, order, half, end, groups);
+                   [&](int a, int b) { return points(axis, a) < points(axis, b); });
+  group_neighbours(points, order, begin, half, most, groups);
+  group_neighbours(points, order, half, end, most, groups);
 }
-
-}  // namespace
 
 std::vector<BallGroup> sort_into_groups(Eigen::Matrix3Xd& centers, Eigen::VectorXd& radii) {
   std::vector<int> order(static_cast<std::size_t>(radii.size()));
   std::iota(order.begin(), order.end(), 0);
   std::vector<BallGroup> groups;
-  halve(centers, order, 0, radii.size(), groups);
+  group_neighbours(centers, order, 0, radii.size(), kMostInGroup, groups);
   centers = Eigen::Matrix3Xd(centers(Eigen::all, order));
   radii = Eigen::VectorXd(radii(order));
   for (BallGroup& group : groups) {

@@ -35,6 +35,11 @@ struct BallGroup {
   double around;  ///< of one that has all balls [m]
 };
 
+/// Sorts the part of `order` from begin to end, indices of points, into compact groups of at most
+/// `most` and adds them. Their balls have no radius yet.
+void group_neighbours(const Eigen::Matrix3Xd& points, std::vector<int>& order, Eigen::Index begin,
+                      Eigen::Index end, Eigen::Index most, std::vector<BallGroup>& groups);
+
 /// Sorts balls into compact groups. Centres and radii in [m].
 std::vector<BallGroup> sort_into_groups(Eigen::Matrix3Xd& centers, Eigen::VectorXd& radii);
 

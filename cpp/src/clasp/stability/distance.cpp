@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/stability/distance.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <variant>
@@ -15,6 +16,15 @@ namespace graspless::clasp {
 namespace {
 
 constexpr double kDifference = 1e-5;  // of finite differences [m]
+
+std::optional<Axis> axis_of(const geometry::PlacedShape& placed) {
+  if (const auto* sphere = std::get_if<geometry::Sphere>(&placed.shape))
+    return Axis{placed.X_BG.translation(), Eigen::Vector3d::Zero(), sphere->radius};
+  const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape);
+  if (!capsule) return std::nullopt;
+  const Eigen::Vector3d along = capsule->length * placed.X_BG.linear().col(2);
+  return Axis{placed.X_BG.translation() - along / 2, along, capsule->radius};
+}
 
 }  // namespace
 
@@ -32,6 +42,14 @@ Distance distance_to(const geometry::PlacedShape& placed) {
       return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
     };
   }
+  if (const auto* capsule = std::get_if<geometry::Capsule>(&placed.shape)) {
+    return [radius = capsule->radius, half = capsule->length / 2, X_GB](const Eigen::Vector3d& p,
+                                                                        double) {
+      Eigen::Vector3d beyond = X_GB * p;
+      beyond.z() -= std::clamp(beyond.z(), -half, half);
+      return beyond.norm() - radius;
+    };
+  }
   return [shape = covered(placed, MeshInside::hull)](const Eigen::Vector3d& p, double) {
     return -shape.depth(p);
   };
@@ -39,7 +57,8 @@ Distance distance_to(const geometry::PlacedShape& placed) {
 
 Body body_of(const robot::LinkShape& shape) {
   const bool is_convex = !std::holds_alternative<geometry::Mesh>(shape.placed.shape);
-  Body body{shape.link, distance_to(shape.placed), Eigen::Vector3d::Zero(), 0, is_convex};
+  Body body{shape.link, distance_to(shape.placed), Eigen::Vector3d::Zero(), 0,
+            is_convex,  axis_of(shape.placed)};
   const std::vector<Sphere> spheres = covered(shape.placed, MeshInside::hull).spheres;
   for (const Sphere& sphere : spheres)
     body.center_L += sphere.center / static_cast<double>(spheres.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,6 +21,12 @@ using Distance = std::function<double(const Eigen::Vector3d& p_L, double limit)>
 /// Distance of a point outside a shape. Meshes are surfaces.
 Distance distance_to(const geometry::PlacedShape& placed);
 
+/// Segment that a capsule or a sphere has at its middle: all points within the radius belong to it.
+struct Axis {
+  Eigen::Vector3d from, along;  ///< one end, and the way to the other [m]
+  double radius;                ///< [m]
+};
+
 /// Shape of a link, and a ball around it.
 struct Body {
   int link;
@@ -27,6 +34,7 @@ struct Body {
   Eigen::Vector3d center_L;
   double radius;   ///< [m]
   bool is_convex;  ///< then the distance is a convex function, too
+  std::optional<Axis> axis_L = std::nullopt;
 
   /// Lower bound on the distance of a point [m]; cheap.
   double at_least(const Eigen::Vector3d& p_L) const { return (p_L - center_L).norm() - radius; }

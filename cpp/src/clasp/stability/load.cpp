@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "graspless/watch.hpp"
@@ -26,6 +27,19 @@ constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
 constexpr int kMoves = 6;
+constexpr std::size_t kUsualPoints = 1 << 14;
+
+/// Number of a body, and of a cell of space in each direction.
+using Cell = std::array<int, 4>;
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    std::uint64_t hash = 0;
+    for (const int number : cell)
+      hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15u;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+};
 
 }  // namespace
 
@@ -109,17 +123,21 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
     Vector3d p_W;
     double distance;
   };
-  std::map<std::array<int, 4>, Nearest> nearest;  // for each body, of each cell of space
+  std::unordered_map<Cell, Nearest, CellHash> nearest;
+  nearest.reserve(kUsualPoints);
   const auto add = [&](const Vector3d& p, std::size_t i, double at_least) {
     if (at_least > kReach) return;
     const Eigen::Vector3i cell = (p / kCellSize).array().floor().cast<int>();
-    const std::array key{static_cast<int>(i), cell.x(), cell.y(), cell.z()};
+    const Cell key{static_cast<int>(i), cell.x(), cell.y(), cell.z()};
     const auto former = nearest.find(key);
     if (former != nearest.end() && at_least >= former->second.distance) return;
     const double distance = bodies_[i].distance(in_link(p, bodies_[i]), kReach);
     if (distance > kReach) return;
-    if (former == nearest.end() || distance < former->second.distance)
-      nearest.insert_or_assign(key, Nearest{p, distance});
+    if (former == nearest.end()) {
+      nearest.emplace(key, Nearest{p, distance});
+    } else if (distance < former->second.distance) {
+      former->second = {p, distance};
+    }
   };
   std::vector<std::pair<std::size_t, double>> near;  // bodies of a triangle, with their distances
   for (Eigen::Index i = 0; i < surface.triangles.cols(); ++i) {
@@ -139,24 +157,26 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
       for (const auto& [body, distance] : near) add(p, body, distance - (p - facet.center).norm());
     });
   }
-  Eigen::Matrix3Xd points_W(3, static_cast<Eigen::Index>(nearest.size()));
+  std::vector<std::pair<Cell, Nearest>> sorted(nearest.begin(), nearest.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  Eigen::Matrix3Xd points_W(3, static_cast<Eigen::Index>(sorted.size()));
   Eigen::ArrayXd distances(points_W.cols());
   std::vector<NearPoints::Range> ranges;
   Eigen::Index count = 0;
-  for (const auto& [key, point] : nearest) {
+  for (const auto& [key, point] : sorted) {
     const auto body = static_cast<std::size_t>(key.front());
     if (ranges.empty() || ranges.back().body != body) ranges.push_back({body, count, 0});
     ++ranges.back().size;
     points_W.col(count) = point.p_W;
     distances[count++] = point.distance;
   }
-  return {std::move(points_W), std::move(ranges), std::move(distances)};
+  return {std::move(points_W), ranges, distances};
 }
 
-LoadEffort LoadTester::effort_of(const Vector6d& load, const NearPoints& points,
-                                 PosedContacts& first, const Posture& hand) const {
+LoadEffort LoadTester::effort_of(const Vector6d& load, NearPoints& points, PosedContacts& first,
+                                 const Posture& hand) const {
   LoadStepper stepper(limits_);
-  NearPoints measured = points;
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   LoadEffort most;
   for (int i = 0; i < kMoves; ++i) {
@@ -169,7 +189,7 @@ LoadEffort LoadTester::effort_of(const Vector6d& load, const NearPoints& points,
     if (i == 0) {
       next = stepper.step(wrench, first);
     } else {
-      PosedContacts contacts(measured, moved, bodies_, hand);
+      PosedContacts contacts(points, moved, bodies_, hand);
       next = stepper.step(wrench, contacts);
     }
     if (next.effort > most.effort)

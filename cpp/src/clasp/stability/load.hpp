@@ -59,8 +59,8 @@ class LoadTester {
   NearPoints near_points(const Posture& hand, double reach, const Eigen::Isometry3d& X_WO) const;
   bool sink(const Posture& hand, NearPoints& points, LoadStepper& stepper,
             const Eigen::Vector3d& mean_W, Eigen::Isometry3d& moved) const;
-  LoadEffort effort_of(const mechanics::Vector6d& load, const NearPoints& points,
-                       PosedContacts& first, const Posture& hand) const;
+  LoadEffort effort_of(const mechanics::Vector6d& load, NearPoints& points, PosedContacts& first,
+                       const Posture& hand) const;
 
   Problem problem_;
   std::vector<Body> bodies_;
