@@ -81,15 +81,17 @@ ClearanceTree::Squares ClearanceTree::Node::squared_distances(const Vector3d& po
   return squares;
 }
 
-/// Searches the boxes that are nearer than the best triangle, the nearest first.
-void ClearanceTree::search(const Node& node, const Vector3d& point, NearTriangle& best) const {
+/// Searches the boxes that are nearer than the best triangle, the nearest first, until that is near
+/// enough.
+void ClearanceTree::search(const Node& node, const Vector3d& point, double enough,
+                           NearTriangle& best) const {
   Squares squares = node.squared_distances(point);
   Eigen::Index nearest = 0;
-  while (squares.minCoeff(&nearest) < best.squared) {
+  while (best.squared > enough && squares.minCoeff(&nearest) < best.squared) {
     squares[nearest] = kNowhere;
     const int child = node.children[static_cast<std::size_t>(nearest)];
     if (child >= 0) {
-      search(nodes_[static_cast<std::size_t>(child)], point, best);
+      search(nodes_[static_cast<std::size_t>(child)], point, enough, best);
     } else {
       const double squared = squared_distance(triangle(~child), point);
       if (squared < best.squared) best = {~child, squared};
@@ -97,15 +99,15 @@ void ClearanceTree::search(const Node& node, const Vector3d& point, NearTriangle
   }
 }
 
-NearTriangle ClearanceTree::nearest(const Vector3d& point, int hint) const {
+NearTriangle ClearanceTree::nearest(const Vector3d& point, int hint, double enough) const {
   NearTriangle best{hint, squared_distance(triangle(hint), point)};
-  search(root(), point, best);
+  search(root(), point, enough, best);
   return best;
 }
 
 double ClearanceTree::distance(const Vector3d& point, double limit) const {
   NearTriangle best{-1, (limit + kBeyond) * (limit + kBeyond)};
-  search(root(), point, best);
+  search(root(), point, 0, best);
   const double distance = std::sqrt(best.squared);
   return best.triangle < 0 || distance > limit ? kNowhere : distance;
 }

@@ -28,9 +28,9 @@ class ClearanceTree {
 
   /// The distance to the surface; infinite if it is above `limit` [m].
   double distance(const Eigen::Vector3d& point, double limit) const;
-  /// The triangle nearest to a point. Any triangle may be the hint; the search is fast if it is
-  /// near.
-  NearTriangle nearest(const Eigen::Vector3d& point, int hint) const;
+  /// The triangle nearest to a point, or one whose squared distance is at most `enough` [m^2]. Any
+  /// triangle may be the hint; the search is fast if it is near.
+  NearTriangle nearest(const Eigen::Vector3d& point, int hint, double enough = 0) const;
 
  private:
   static constexpr int kChildren = 4;
@@ -48,7 +48,8 @@ class ClearanceTree {
   const Node& root() const;
   int add_node(Iterator begin, Iterator end) const;
   Iterator halve(Iterator begin, Iterator end) const;
-  void search(const Node& node, const Eigen::Vector3d& point, NearTriangle& best) const;
+  void search(const Node& node, const Eigen::Vector3d& point, double enough,
+              NearTriangle& best) const;
   const SurfaceTriangle& triangle(int index) const {
     return triangles_[static_cast<std::size_t>(index)];
   }

@@ -62,6 +62,29 @@ TEST(ClearanceTree, FindsTheLeastDistanceFromAnyHint) {
   }
 }
 
+TEST(ClearanceTree, EndsAtATriangleThatIsNearEnough) {
+  std::mt19937 rng(4);
+  const auto triangles = random_triangles(rng, 300);
+  const ClearanceTree tree(triangles);
+  int ended = 0, searched = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d point = random_vector(rng, 0.4);
+    const double least = least_square(triangles, point), enough = uniform(rng, 0, 2) * least;
+    const NearTriangle found = tree.nearest(point, static_cast<int>(rng() % 300), enough);
+    ASSERT_EQ(found.squared,
+              squared_distance(triangles[static_cast<std::size_t>(found.triangle)], point));
+    if (least > enough) {
+      ASSERT_EQ(found.squared, least);
+      ++searched;
+    } else {
+      ASSERT_LE(found.squared, enough);
+      ended += found.squared > least;
+    }
+  }
+  EXPECT_GT(ended, 10);
+  EXPECT_GT(searched, 300);
+}
+
 TEST(ClearanceTree, IsBuiltAnewAfterACallThatWasStopped) {
   std::mt19937 rng(3);
   const auto triangles = random_triangles(rng, 50000);

@@ -109,23 +109,27 @@ Core::Core(const geometry::Complex& complex) {
   boundary_.triangles.resize(3, static_cast<Eigen::Index>(rim.size()));
   for (std::size_t i = 0; i < rim.size(); ++i)
     boundary_.triangles.col(static_cast<Eigen::Index>(i)) = rim[i];
-  surface_ = std::make_unique<collision::Clearance>(boundary_);
+  surface_ = std::make_unique<collision::ClearanceTree>(collision::surface_triangles(boundary_));
   cast_shadows();
 
-  std::vector<double> clear;
-  for (const Vector3d& p : nodes) clear.push_back(reach(p));
+  std::vector<Thin> clear;
+  for (const Vector3d& p : nodes) {
+    poll();
+    clear.push_back(thin(p, clear.empty() ? 0 : clear.back().near));  // one beside the last
+  }
   for (const Facet& facet : delaunay.facets) {
     poll();
     if (!in(facet.regions[0]) || !in(facet.regions[1])) continue;
     const Vector3d at = middle(facet, complex.points);
-    const double here = reach(at);
     const auto node = static_cast<int>(nodes.size());
     nodes.push_back(at);
+    const Thin& beside = clear[static_cast<std::size_t>(node_of(facet.regions[0]))];
+    const double here = thin(at, beside.near).clear;
     for (const int region : facet.regions) {
       const int other = node_of(region);
-      edges_.push_back({other, node, -std::min(here, clear[static_cast<std::size_t>(other)])});
+      edges_.push_back(
+          {other, node, -std::min(here, clear[static_cast<std::size_t>(other)].clear)});
     }
-    clear.push_back(here);
   }
   points_.resize(3, static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -166,15 +170,20 @@ bool Core::contains(const Vector3d& p) const {
   return inside;
 }
 
+/// A point and its clearance.
+Core::Thin Core::thin(const Vector3d& p, int hint) const {
+  const collision::NearTriangle near = surface_->nearest(p, hint);
+  return {p, std::sqrt(near.squared), near.triangle};
+}
+
 /// Lower bound on the least clearance along a side, and where that is; in the material if above 0.
 /// Exact to 0.05 mm where it is below `enough`.
 Core::Thin Core::thinnest(const Thin& a, const Thin& b, double enough) const {
   constexpr double kExact = 5e-5;
   const double bound = (a.clear + b.clear - (b.at - a.at).norm()) / 2;  // 1-Lipschitz
   const Thin& end = a.clear < b.clear ? a : b;
-  if (bound >= enough || end.clear - bound <= kExact) return {end.at, bound};
-  const Vector3d middle = (a.at + b.at) / 2;
-  const Thin half{middle, reach(middle)};
+  if (bound >= enough || end.clear - bound <= kExact) return {end.at, bound, end.near};
+  const Thin half = thin((a.at + b.at) / 2, a.near);
   const Thin first = thinnest(a, half, enough);
   const Thin second = thinnest(half, b, std::min(enough, first.clear));
   return first.clear <= second.clear ? first : second;
@@ -193,8 +202,10 @@ Core::Thin Core::centered(Thin point, Vector3d along) const {
     for (int k = 0; k < kDirections; ++k) {
       const double angle = 2 * M_PI * k / kDirections;
       const Vector3d p = from + step * (std::cos(angle) * x + std::sin(angle) * y);
-      const double here = reach(p);
-      if (here > point.clear) point = {p, here};
+      const double passed = point.clear * point.clear;  // less does not help
+      const collision::NearTriangle near = surface_->nearest(p, point.near, passed);
+      const double here = std::sqrt(near.squared);
+      if (here > point.clear) point = {p, here, near.triangle};
     }
   }
   return point;
@@ -232,7 +243,7 @@ std::vector<Core::Thin> Core::resampled(const std::vector<Thin>& loop, double sp
            static_cast<double>(result.size()) * step <= from + side) {
       const double t = side > 0 ? (static_cast<double>(result.size()) * step - from) / side : 0;
       const Vector3d p = loop[i].at + t * (next(i) - loop[i].at);
-      result.push_back({p, reach(p)});
+      result.push_back(thin(p, loop[i].near));
     }
     from += side;
   }
@@ -257,7 +268,7 @@ double Core::thicken(std::vector<Thin>& loop) const {
       side = i;
     }
     const Vector3d along = loop[(side + 1) % loop.size()].at - loop[side].at;
-    const Thin moved = centered({worst.at, reach(worst.at)}, along);
+    const Thin moved = centered(thin(worst.at, worst.near), along);
     if (round == kMost || moved.clear < worst.clear + kGain) return worst.clear;
     const auto after = static_cast<std::ptrdiff_t>(side) + 1;
     loop.insert(loop.begin() + after, moved);
@@ -272,7 +283,7 @@ CoreLoop Core::loop(const Eigen::Matrix3Xd& curve) const {
   const std::vector<int> cycle = tightest_cycle(points_, edges_, curve);
   if (cycle.empty()) return result;
   std::vector<Thin> loop;
-  for (const int node : cycle) loop.push_back({points_.col(node), reach(points_.col(node))});
+  for (const int node : cycle) loop.push_back(thin(points_.col(node), 0));
   center(loop);
   // The clearance does not tell inside from outside: one corner does, for all.
   if (contains(loop[0].at)) result.radius = std::max(0.0, thicken(loop));

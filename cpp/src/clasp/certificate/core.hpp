@@ -7,10 +7,10 @@
 
 #include <Eigen/Core>
 
-#include "graspless/collision/clearance.hpp"
 #include "graspless/geometry/complex.hpp"
 
 #include "clasp/certificate/tight_cycle.hpp"
+#include "collision/clearance_tree.hpp"
 
 namespace graspless::clasp {
 
@@ -37,10 +37,11 @@ class Core {
   struct Thin {
     Eigen::Vector3d at;
     double clear;  // distance from the boundary, or a bound on it [m]
+    int near = 0;  // a triangle of the boundary nearby
   };
 
   void cast_shadows();
-  double reach(const Eigen::Vector3d& p) const { return surface_->distance(p); }
+  Thin thin(const Eigen::Vector3d& p, int hint) const;
   Thin thinnest(const Thin& a, const Thin& b, double enough) const;
   Thin centered(Thin point, Eigen::Vector3d along) const;
   void center(std::vector<Thin>& loop) const;
@@ -50,7 +51,7 @@ class Core {
   geometry::Mesh boundary_;
   // Boxes of its triangles, seen along the ray of contains(): low and high in each direction [m].
   Eigen::ArrayX4d shadows_;
-  std::unique_ptr<collision::Clearance> surface_;  // of the boundary; nothing without material
+  std::unique_ptr<collision::ClearanceTree> surface_;  // of the boundary; nothing without material
   Eigen::Matrix3Xd points_;         // centres of the tetrahedra, and of the triangles between them
   std::vector<SpatialEdge> edges_;  // from each tetrahedron to its triangles; width: -clearance
 };
