@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -76,7 +77,10 @@ bool ObjectWalk::group_hits(int index, const Pose& pose, Travel travel, int step
       const Eigen::Vector3d p_O = pose * p_CB_W_.col(ball);
       double left = distance_[ball] - (p_O - checked_at_.col(ball)).norm();
       if (left <= 0) {
-        if (hits(ball, p_O)) return true;
+        if (hits(ball, p_O)) {
+          remember(static_cast<int>(ball));
+          return true;
+        }
         left = distance_[ball];
       }
       least = std::min(least, left);
@@ -99,10 +103,37 @@ void ObjectWalk::schedule(int item, double bound, double travel, int from, int m
   first = item;
 }
 
+/// Keeps a ball that hit the object as the first of a few.
+void ObjectWalk::remember(int ball) {
+  auto at = std::find(recent_.begin(), recent_.end(), ball);
+  if (at == recent_.end()) {
+    if (recent_.size() < kRecent) recent_.push_back(ball);
+    at = std::prev(recent_.end());
+    *at = ball;
+  }
+  std::rotate(recent_.begin(), at, std::next(at));
+}
+
+/// True if a ball that hit lately hits at the first step of a move, as most of those do that end
+/// there. No other ball need then be looked at.
+bool ObjectWalk::stays(const Pose& first) {
+  for (const int ball : recent_) {
+    const Eigen::Vector3d p_O = first * p_CB_W_.col(ball);
+    if (distance_[ball] > (p_O - checked_at_.col(ball)).norm() || !hits(ball, p_O)) continue;
+    remember(ball);
+    return true;
+  }
+  return false;
+}
+
 /// Moves until the next step would hit, and returns the number of steps. travel(p_CB_W, radius):
 /// bound on the motion of balls about a point in a step [m]. pose_at(step): pose of the hand.
 template <typename Travel, typename PoseAt>
 int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
+  if (stays(pose_at(1))) {
+    ++steps_;
+    return 0;
+  }
   first_due_.assign(static_cast<std::size_t>(max_steps) + 1, -1);
   const auto balls = static_cast<int>(radii_.size());
   const Pose start{R_OW_, p_OC_};
@@ -125,6 +156,7 @@ int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
       const bool hit = is_ball ? hits(item, pose * p_CB_W_.col(item))
                                : group_hits(item - balls, pose, travel, step, max_steps);
       if (hit) {
+        if (is_ball) remember(item);
         steps_ += step;
         return step - 1;
       }

@@ -62,6 +62,8 @@ class ObjectWalk {
   template <typename Travel>
   bool group_hits(int index, const Pose& pose, Travel travel, int step, int max_steps);
   bool hits(Eigen::Index ball, const Eigen::Vector3d& p_O);
+  void remember(int ball);
+  bool stays(const Pose& first);
 
   Eigen::Matrix3Xd p_CB_W_;
   Eigen::VectorXd radii_;
@@ -75,6 +77,8 @@ class ObjectWalk {
   std::vector<Group> groups_, groups_at_start_;
   // Linked lists of the balls and groups due at each step of the current move; -1 at the end.
   std::vector<int> first_due_, next_due_;
+  static constexpr std::size_t kRecent = 8;
+  std::vector<int> recent_;  // balls that hit, the last one first
   std::int64_t steps_ = 0;
 };
 
