@@ -3,11 +3,12 @@
 #include "geometry/loops/edge_graph.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace graspless::geometry {
 
 EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int)>& weight)
-    : first_(static_cast<std::size_t>(complex.points.cols()) + 1, 0) {
+    : first_(static_cast<std::size_t>(complex.points.cols()) + 1, 0), first_edge_(first_) {
   const auto count = static_cast<std::size_t>(complex.edges.cols());
   ends_.resize(count);
   lengths_.resize(count);
@@ -16,10 +17,12 @@ EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int
     ends_[e] = {complex.edges(0, column), complex.edges(1, column)};
     lengths_[e] = (complex.points.col(ends_[e].a) - complex.points.col(ends_[e].b)).norm();
     if (weight) lengths_[e] *= weight(ends_[e].a, ends_[e].b);
+    ++first_edge_[static_cast<std::size_t>(ends_[e].a) + 1];
     ++first_[static_cast<std::size_t>(ends_[e].a) + 1];
     ++first_[static_cast<std::size_t>(ends_[e].b) + 1];
   }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::partial_sum(first_edge_.begin(), first_edge_.end(), first_edge_.begin());
   last_.assign(first_.begin(), first_.end() - 1);
   arcs_.resize(2 * count);
   const auto add = [&](int from, int to, std::size_t e) {
@@ -33,8 +36,10 @@ EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int
 }
 
 int EdgeGraph::edge(int a, int b) const {
-  for (const Arc& arc : arcs(a)) {
-    if (arc.to == b) return arc.edge;
+  const auto [smaller, larger] = std::minmax(a, b);
+  const int end = first_edge_[static_cast<std::size_t>(smaller) + 1];
+  for (int e = first_edge_[static_cast<std::size_t>(smaller)]; e < end; ++e) {
+    if (ends_[static_cast<std::size_t>(e)].b == larger) return e;
   }
   return -1;
 }

@@ -38,11 +38,12 @@ class EdgeGraph {
   double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
   /// Index of the edge between two vertices, or -1.
   int edge(int a, int b) const;
-  /// Removes all arcs to and from a vertex.
+  /// Removes all arcs to and from a vertex. The edges keep their indices.
   void remove(int vertex);
 
  private:
   std::vector<int> first_, last_;  // range of each vertex in arcs_; first_ has one more entry
+  std::vector<int> first_edge_;    // of each smaller end, and the number of edges
   std::vector<Arc> arcs_;
   std::vector<Ends> ends_;
   std::vector<double> lengths_;

@@ -19,6 +19,7 @@
 #include "geometry/loops/classes.hpp"
 #include "geometry/loops/evidence.hpp"
 #include "geometry/loops/one_sided.hpp"
+#include "geometry/loops/polish.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
 #include "geometry/loops/shortest_basis.hpp"
@@ -227,31 +228,6 @@ void choose_complex(const Filtration& filtration, Loops& result) {
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most == counts.end() || most->first == result.complex.max_edge_length) return;
   result.complex = filtration.complex(most->first);
-}
-
-/// Replaces loops by shorter ones of the same class on the full cloud.
-void polish(const Eigen::Matrix3Xd& points, std::vector<Loop>& loops) {
-  const Filtration filtration(points, "points");
-  const std::vector<int> columns = all_columns(points);
-  std::map<double, std::vector<Loop*>> by_scale;
-  for (Loop& loop : loops) by_scale[loop.max_edge_length].push_back(&loop);
-  for (const auto& [d, group] : by_scale) {
-    std::vector<Eigen::Matrix3Xd> curves;
-    for (const Loop* loop : group) curves.push_back(loop->points);
-    const Complex whole = filtration.complex(d);
-    const Resolution resolution(whole);
-    const std::vector<Cycle> cycles = around_gaps(whole, resolution, polished(whole, curves));
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-      if (cycles[i].empty()) continue;
-      Loop loop = make_loop(points, cycles[i], columns);
-      if (loop.length >= group[i]->length) continue;
-      group[i]->points = std::move(loop.points);
-      group[i]->vertices = std::move(loop.vertices);
-      group[i]->length = loop.length;
-      group[i]->gap = resolution.widest_gap(cycles[i]);
-    }
-  }
-  sort_by_length(loops);
 }
 
 }  // namespace

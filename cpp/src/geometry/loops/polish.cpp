@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortens loops of a downsampled cloud on the full cloud, and moves loops onto the surface, within
-// their homology class and from a few roots on each loop instead of all vertices.
+#include "geometry/loops/polish.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "graspless/watch.hpp"
 
-#include "geometry/loops/resolution.hpp"
 #include "geometry/loops/rooted_cycles.hpp"
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/sampling/hilbert_order.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -40,18 +40,17 @@ Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& c
 
 class LoopPolisher {
  public:
-  explicit LoopPolisher(const Complex& complex) : LoopPolisher(complex, EdgeGraph(complex)) {}
-  /// The lengths are those of `graph`.
-  LoopPolisher(const Complex& complex, EdgeGraph graph)
-      : complex_(complex),
-        graph_(std::move(graph)),
-        annotation_(complex, graph_),
-        cycles_(complex, graph_, annotation_),
+  /// The lengths are those of `graph`. Points and labels must outlive this object.
+  LoopPolisher(const Eigen::Matrix3Xd& points, EdgeGraph graph, const Annotation& annotation)
+      : points_(points),
+        annotation_(annotation),
+        cycles_(std::move(graph), annotation),
+        graph_(cycles_.graph()),
         paths_(graph_) {}
 
   /// Returns an empty cycle if the loop cannot be traced on the full cloud.
   Cycle polish(const Eigen::Matrix3Xd& loop) {
-    const Cycle cycle = traced(nearest_vertices(complex_.points, loop));
+    const Cycle cycle = traced(nearest_vertices(points_, loop));
     return cycle.empty() ? cycle : shortened(cycle);
   }
 
@@ -75,7 +74,7 @@ class LoopPolisher {
     Cycle cycle;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int from = corners[i], to = corners[(i + 1) % corners.size()];
-      const double straight = (complex_.points.col(from) - complex_.points.col(to)).norm();
+      const double straight = (points_.col(from) - points_.col(to)).norm();
       paths_.start(from, kMaxDetour * straight);
       int v = from;
       while ((v = paths_.next()) >= 0 && v != to) {
@@ -110,46 +109,101 @@ class LoopPolisher {
   /// Replaces the cycle by the shortest one of its class through the root, if that is shorter.
   void shorten(int root, const Class& cls, Cycle& cycle, double& length) {
     const double bound = std::min(length, length_of(cycle) * kSlack);
-    for (const RootedCycles::ClosingEdge& edge : cycles_.from(root, bound)) {
-      if (!std::equal(cls.begin(), cls.end(), cycles_.class_of(edge))) continue;
-      cycle = cycles_.cycle(edge);
-      length = length_of(cycle);
-      return;
+    const auto edge = cycles_.shortest(root, bound, cls.data());
+    if (!edge) return;
+    cycle = cycles_.cycle(*edge);
+    length = length_of(cycle);
+  }
+
+  const Eigen::Matrix3Xd& points_;
+  const Annotation& annotation_;
+  RootedCycles cycles_;
+  const EdgeGraph& graph_;
+  ShortestPaths paths_;
+};
+
+/// Cycles of one complex, with the labels of its edges. They are computed once, where needed.
+class Polish {
+ public:
+  explicit Polish(const Complex& complex) : complex_(complex) {}
+
+  std::vector<Cycle> traced(const std::vector<Eigen::Matrix3Xd>& loops) {
+    label();
+    LoopPolisher polisher(complex_.points, *graph_, *annotation_);
+    std::vector<Cycle> cycles;
+    for (const Eigen::Matrix3Xd& loop : loops) cycles.push_back(polisher.polish(loop));
+    return cycles;
+  }
+
+  std::vector<Cycle> around_gaps(const Resolution& resolution, std::vector<Cycle> cycles) {
+    std::optional<LoopPolisher> polisher;  // most clouds need none
+    for (Cycle& cycle : cycles) {
+      if (resolution.widest_gap(cycle) == 0) continue;
+      if (!polisher) {
+        const auto weight = [&](int a, int b) {  // short edges stay near the material
+          const double relative = resolution.relative_length(a, b);
+          return std::max(1.0, relative * relative);
+        };
+        label();
+        polisher.emplace(complex_.points, EdgeGraph(complex_, weight), *annotation_);
+      }
+      Cycle moved = polisher->shortened(cycle);
+      if (!moved.empty()) cycle = std::move(moved);
     }
+    return cycles;
+  }
+
+ private:
+  void label() {
+    if (annotation_) return;
+    graph_.emplace(complex_);
+    annotation_.emplace(complex_, *graph_);
   }
 
   const Complex& complex_;
-  EdgeGraph graph_;
-  Annotation annotation_;
-  RootedCycles cycles_;
-  ShortestPaths paths_;
+  std::optional<EdgeGraph> graph_;
+  std::optional<Annotation> annotation_;
 };
 
 }  // namespace
 
 std::vector<Cycle> around_gaps(const Complex& complex, const Resolution& resolution,
                                std::vector<Cycle> cycles) {
-  std::optional<LoopPolisher> polisher;  // most clouds need none
-  for (Cycle& cycle : cycles) {
-    if (resolution.widest_gap(cycle) == 0) continue;
-    if (!polisher) {
-      const auto weight = [&](int a, int b) {  // short edges stay near the material
-        const double relative = resolution.relative_length(a, b);
-        return std::max(1.0, relative * relative);
-      };
-      polisher.emplace(complex, EdgeGraph(complex, weight));
-    }
-    Cycle moved = polisher->shortened(cycle);
-    if (!moved.empty()) cycle = std::move(moved);
-  }
-  return cycles;
+  return Polish(complex).around_gaps(resolution, std::move(cycles));
 }
 
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops) {
-  LoopPolisher polisher(whole);
-  std::vector<Cycle> cycles;
-  for (const Eigen::Matrix3Xd& loop : loops) cycles.push_back(polisher.polish(loop));
-  return cycles;
+  return Polish(whole).traced(loops);
+}
+
+void polish(const Eigen::Matrix3Xd& points, std::vector<Loop>& loops) {
+  if (loops.empty()) return;
+  // Neighbours in space are close in memory, which makes every pass over them quicker.
+  const std::vector<int> order = morton_order(points);
+  const Filtration filtration(points(Eigen::all, order), "points");
+  std::map<double, std::vector<Loop*>> by_scale;
+  for (Loop& loop : loops) by_scale[loop.max_edge_length].push_back(&loop);
+  for (const auto& [d, group] : by_scale) {
+    std::vector<Eigen::Matrix3Xd> curves;
+    for (const Loop* loop : group) curves.push_back(loop->points);
+    const Complex whole = filtration.complex(d);
+    const Resolution resolution(whole);
+    Polish polish(whole);
+    const std::vector<Cycle> cycles = polish.around_gaps(resolution, polish.traced(curves));
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+      if (cycles[i].empty()) continue;
+      const double length = cycle_length(whole.points, cycles[i]);
+      if (length >= group[i]->length) continue;
+      group[i]->points = whole.points(Eigen::all, cycles[i]);
+      group[i]->vertices.clear();
+      for (const int vertex : cycles[i])
+        group[i]->vertices.push_back(order[static_cast<std::size_t>(vertex)]);
+      group[i]->length = length;
+      group[i]->gap = resolution.widest_gap(cycles[i]);
+    }
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Loop& a, const Loop& b) { return a.length < b.length; });
 }
 
 }  // namespace graspless::geometry

@@ -37,9 +37,4 @@ class Resolution {
 /// of the longest, or that of the complex if that crosses none.
 Complex surface_of(const Complex& complex, const Resolution& resolution);
 
-/// Moves cycles that cross open space to the surface, within their homology class in `complex`. A
-/// cycle that must cross open space does so where the crossing is short.
-std::vector<Cycle> around_gaps(const Complex& complex, const Resolution& resolution,
-                               std::vector<Cycle> cycles);
-
 }  // namespace graspless::geometry

@@ -8,18 +8,26 @@
 #include "graspless/watch.hpp"
 
 namespace graspless::geometry {
+namespace {
 
-RootedCycles::RootedCycles(const Complex& complex, const EdgeGraph& graph,
-                           const Annotation& annotation)
+constexpr double kOverSum = 1 + 1e-9;  // for rounded sums of lengths
+
+}  // namespace
+
+RootedCycles::RootedCycles(EdgeGraph graph, const Annotation& annotation)
     : annotation_(annotation),
-      graph_(graph),
+      graph_(std::move(graph)),
       paths_(graph_),
       words_(static_cast<std::size_t>(annotation.words())),
-      is_zero_(static_cast<std::size_t>(complex.edges.cols())),
-      path_classes_(static_cast<std::size_t>(graph.num_vertices()) * words_),
+      is_zero_(static_cast<std::size_t>(graph_.num_edges())),
+      path_classes_(static_cast<std::size_t>(graph_.num_vertices()) * words_),
       sum_(words_) {
-  for (int e = 0; e < graph.num_edges(); ++e)
+  for (int e = 0; e < graph_.num_edges(); ++e)
     is_zero_[static_cast<std::size_t>(e)] = annotation.is_zero(e);
+}
+
+bool RootedCycles::is_before(const ClosingEdge& one, const ClosingEdge& other) {
+  return std::tie(one.length, one.a, one.b) < std::tie(other.length, other.a, other.b);
 }
 
 const std::vector<RootedCycles::ClosingEdge>& RootedCycles::from(int root, double longest) {
@@ -31,14 +39,32 @@ const std::vector<RootedCycles::ClosingEdge>& RootedCycles::from(int root, doubl
     paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
       if (is_trivial(v, arc.to, arc.edge)) return;
       const double length = paths_.distance(v) + paths_.distance(arc.to) + arc.length;
-      if (length <= longest) closing_edges_.push_back({length, v, arc.to});
+      if (length <= longest) closing_edges_.push_back({length, v, arc.to, arc.edge});
     });
   }
-  std::sort(closing_edges_.begin(), closing_edges_.end(),
-            [](const ClosingEdge& p, const ClosingEdge& q) {
-              return std::tie(p.length, p.a, p.b) < std::tie(q.length, q.a, q.b);
-            });
+  std::sort(closing_edges_.begin(), closing_edges_.end(), is_before);
   return closing_edges_;
+}
+
+/// A cycle that a vertex closes is at least twice as long as the vertex is far from the root, so
+/// the search ends there.
+std::optional<RootedCycles::ClosingEdge> RootedCycles::shortest(int root, double longest,
+                                                                const Word* cls) {
+  std::optional<ClosingEdge> best;
+  paths_.start(root, longest / 2);
+  for (int v = root; (v = paths_.next()) >= 0;) {
+    poll();
+    if (best && 2 * paths_.distance(v) > best->length * kOverSum) break;
+    set_path_class(v);
+    paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
+      if (is_trivial(v, arc.to, arc.edge)) return;
+      const double length = paths_.distance(v) + paths_.distance(arc.to) + arc.length;
+      const ClosingEdge edge{length, v, arc.to, arc.edge};
+      if (length > longest || (best && !is_before(edge, *best))) return;
+      if (std::equal(cls, cls + words_, class_of(edge))) best = edge;
+    });
+  }
+  return best;
 }
 
 void RootedCycles::add_to_path_class(int vertex) {
@@ -60,7 +86,7 @@ bool RootedCycles::is_trivial_sum(int a, int b, int edge) const {
 }
 
 const Annotation::Word* RootedCycles::class_of(const ClosingEdge& edge) {
-  const Word* cls = annotation_.of(graph_.edge(edge.a, edge.b));
+  const Word* cls = annotation_.of(edge.edge);
   for (std::size_t w = 0; w < words_; ++w)
     sum_[w] = path_class(edge.a)[w] ^ path_class(edge.b)[w] ^ cls[w];
   return sum_.data();

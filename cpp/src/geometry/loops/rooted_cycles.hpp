@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/loops/annotation.hpp"
@@ -17,26 +19,31 @@ class RootedCycles {
  public:
   /// An edge that closes a nontrivial cycle.
   struct ClosingEdge {
-    double length;  // of the edge and both paths to the root [m]
-    int a, b;       // ends of the edge
+    double length;   // of the edge and both paths to the root [m]
+    int a, b, edge;  // the edge and its ends, the one farther from the root first
   };
 
-  RootedCycles(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation);
+  /// The labels must outlive this object.
+  RootedCycles(EdgeGraph graph, const Annotation& annotation);
 
   /// Closing edges of the nontrivial cycles of at most `longest` [m] through a root, shortest
   /// first. Valid until the next call.
   const std::vector<ClosingEdge>& from(int root, double longest);
+  /// The first of these edges whose cycle has a given class.
+  std::optional<ClosingEdge> shortest(int root, double longest, const Annotation::Word* cls);
   /// Class of the cycle of a closing edge of the last root. Valid until the next call.
   const Annotation::Word* class_of(const ClosingEdge& edge);
   /// The cycle of a closing edge of the last root, without the part that both paths share.
   Cycle cycle(const ClosingEdge& edge) const;
   /// Distance of a vertex to the last root [m]; infinite beyond half of `longest`.
   double distance(int vertex) const { return paths_.reached_distance(vertex); }
+  const EdgeGraph& graph() const { return graph_; }
   /// Excludes a vertex from all further paths.
   void remove(int vertex) { graph_.remove(vertex); }
 
  private:
   using Word = Annotation::Word;
+  static bool is_before(const ClosingEdge& one, const ClosingEdge& other);
 
   void set_path_class(int vertex) {
     const int parent = paths_.parent(vertex), via = paths_.via(vertex);

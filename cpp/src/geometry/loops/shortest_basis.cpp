@@ -58,7 +58,7 @@ class Search {
  public:
   Search(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation)
       : complex_(complex),
-        cycles_(complex, graph, annotation),
+        cycles_(graph, annotation),
         basis_(annotation),
         margin_(complex.max_edge_length),
         limits_(static_cast<std::size_t>(graph.num_vertices()),

@@ -26,11 +26,6 @@ struct ClassCycle {
 /// Same for the classes that have labels, modulo those that have none. Every class occurs once.
 std::vector<ClassCycle> shortest_basis(const Complex& complex, ClassLabels labels);
 
-/// Shortens loops of a downsampled cloud on the complex `whole` of the full cloud. Each result has
-/// the class of its loop. It uses a few roots per loop instead of all, so it is fast but not always
-/// shortest. Empty if a loop cannot be traced on `whole`.
-std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops);
-
 /// Largest and smallest width of the cross-sections of a handle, at the thinnest ones [m]; 0 if
 /// unknown.
 struct Thickness {

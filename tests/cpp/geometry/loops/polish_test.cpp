@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/loops/polish.hpp"
+
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "geometry/clouds.hpp"
 #include "geometry/loops/homology_oracle.hpp"
-#include "geometry/loops/shortest_basis.hpp"
 #include "geometry/loops/small_complexes.hpp"
 
 namespace graspless::geometry {
