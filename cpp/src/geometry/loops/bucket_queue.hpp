@@ -55,6 +55,11 @@ class BucketQueue {
     return true;
   }
 
+  /// Vertex that the next pop() probably returns, or -1 if unknown.
+  int peek() const {
+    return first_ < end_ && !buckets_[first_].empty() ? buckets_[first_].back().vertex : -1;
+  }
+
  private:
   struct IsLater {
     bool operator()(const Item& a, const Item& b) const {

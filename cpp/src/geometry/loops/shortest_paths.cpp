@@ -2,16 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/loops/shortest_paths.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace graspless::geometry {
 
 namespace {
 
-constexpr double kBuckets = 16;  // per mean edge length, so that each holds few vertices
+constexpr double kBuckets = 8;       // per mean shortest arc of a vertex: each holds few vertices
+constexpr double kMostBuckets = 256;  // per mean arc, where points lie in tight pairs
 
+/// Weights make long arcs so much longer that their mean would put all vertices in few buckets.
 double bucket_width(const EdgeGraph& graph) {
-  double sum = 0;
-  for (int e = 0; e < graph.num_edges(); ++e) sum += graph.length(e);
-  return graph.num_edges() > 0 ? sum / graph.num_edges() / kBuckets : 1;
+  double shortest = 0, all = 0;
+  int count = 0;
+  for (int e = 0; e < graph.num_edges(); ++e) all += graph.length(e);
+  for (int v = 0; v < graph.num_vertices(); ++v) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const EdgeGraph::Arc& arc : graph.arcs(v)) least = std::min(least, arc.length);
+    if (std::isinf(least)) continue;
+    shortest += least;
+    ++count;
+  }
+  if (count == 0) return 1;
+  return std::max(shortest / count / kBuckets, all / graph.num_edges() / kMostBuckets);
 }
 
 }  // namespace
@@ -37,6 +51,8 @@ int ShortestPaths::next() {
     State& state = state_[index(item.vertex)];
     if (state.stamp == settled) continue;
     state.stamp = settled;
+    const int next = queue_.peek();
+    if (next >= 0) graph_.prefetch(next);
     return item.vertex;
   }
   return -1;
