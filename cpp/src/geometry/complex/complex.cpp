@@ -12,12 +12,11 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "graspless/watch.hpp"
-
 #include "geometry/complex/delaunay.hpp"
 #include "geometry/complex/plateaus.hpp"
 #include "geometry/complex/reduction.hpp"
 #include "geometry/complex/simplices.hpp"
+#include "geometry/pulse.hpp"
 #include "geometry/require_points.hpp"
 
 namespace graspless::geometry {
@@ -120,8 +119,9 @@ struct Filtration::Data {
     tree.resize(n);
     std::vector<char> is_known(n);
     std::vector<int> open;
+    Pulse pulse;
     for (std::size_t root = 0; root < n; ++root) {
-      poll();
+      pulse();
       if (is_known[root]) continue;
       is_known[root] = 1;
       open.push_back(static_cast<int>(root));
@@ -156,8 +156,9 @@ Complex Filtration::complex(double max_edge_length) const {
   result.max_edge_length = max_edge_length;
   result.edges.resize(2, static_cast<Eigen::Index>(all.edges.size()));
   Eigen::Index n = 0;
+  Pulse pulse;
   for (std::size_t e = 0; e < all.edges.size(); ++e) {
-    poll();
+    pulse();
     if (!(all.lengths[e] < max_edge_length)) continue;
     result.edges.col(n++) << all.edges[e][0], all.edges[e][1];
   }
@@ -165,7 +166,7 @@ Complex Filtration::complex(double max_edge_length) const {
   result.triangles.resize(3, static_cast<Eigen::Index>(all.triangles.size()));
   n = 0;
   for (const auto& triangle : all.triangles) {
-    poll();
+    pulse();
     if (!(triangle.longest_edge < max_edge_length)) continue;
     result.triangles.col(n++) << triangle.vertices[0], triangle.vertices[1], triangle.vertices[2];
   }

@@ -18,6 +18,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/pulse.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -84,8 +86,9 @@ Triangulation triangulate(const std::vector<Point>& points) {
 
 int number_regions(Triangulation& triangulation) {
   int next = 1;
+  Pulse pulse;
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
-    poll();
+    pulse();
     cell->info() = triangulation.is_infinite(cell) ? 0 : next++;
   }
   return next;
@@ -103,8 +106,9 @@ Delaunay delaunay(const Eigen::Matrix3Xd& points) {
   if (result.dimension < 3) return result;
   result.num_regions = number_regions(triangulation);
   result.facets.reserve(triangulation.tds().number_of_cells() * 2);
+  Pulse pulse;
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
-    poll();
+    pulse();
     if (cell->info() == 0) continue;
     for (int i = 0; i < 4; ++i) {
       const int beyond = cell->neighbor(i)->info();

@@ -8,12 +8,10 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
-
-constexpr unsigned kPolledComparisons = 256;  // between two polls
 
 /// Disjoint sets of 0 ... n - 1 (union-find).
 class DisjointSets {
@@ -33,15 +31,18 @@ class DisjointSets {
 };
 
 std::vector<int> by_length(const Simplices& simplices) {
-  std::vector<int> order(simplices.edges.size());
-  std::iota(order.begin(), order.end(), 0);
-  unsigned comparisons = 0;
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    if (++comparisons % kPolledComparisons == 0) poll();
-    const double length_a = simplices.lengths[static_cast<std::size_t>(a)];
-    const double length_b = simplices.lengths[static_cast<std::size_t>(b)];
-    return length_a != length_b ? length_a < length_b : a < b;
+  std::vector<std::pair<double, int>> sorted;
+  sorted.reserve(simplices.lengths.size());
+  for (const double length : simplices.lengths)
+    sorted.emplace_back(length, static_cast<int>(sorted.size()));
+  Pulse pulse;
+  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
+    pulse();
+    return a < b;
   });
+  std::vector<int> order;
+  order.reserve(sorted.size());
+  for (const auto& [length, edge] : sorted) order.push_back(edge);
   return order;
 }
 
@@ -62,8 +63,9 @@ std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std
 /// a connected part of the complement. In reverse order, such a triangle joins two sets of regions.
 void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ranking& out) {
   DisjointSets regions(simplices.num_regions);
+  Pulse pulse;
   for (std::size_t i = order.size(); i-- > 0;) {
-    poll();
+    pulse();
     const auto [one, other] = simplices.triangles[static_cast<std::size_t>(order[i])].regions;
     out.triangles[i].fills_loop = !regions.join(one, other);
   }
@@ -79,8 +81,9 @@ Ranking ranking(const Simplices& simplices) {
   result.makes_loop.reserve(order.size());
   result.edge = order;
   DisjointSets pieces(static_cast<int>(simplices.first_edge.size()));
+  Pulse pulse;
   for (const int edge : order) {
-    poll();
+    pulse();
     const auto e = static_cast<std::size_t>(edge);
     result.rank[e] = static_cast<int>(result.lengths.size());
     result.lengths.push_back(simplices.lengths[e]);
@@ -90,7 +93,7 @@ Ranking ranking(const Simplices& simplices) {
   std::vector<Ranking::Triangle> triangles;
   triangles.reserve(simplices.triangles.size());
   for (const auto& triangle : simplices.triangles) {
-    poll();
+    pulse();
     std::array<int, 3> r{};
     for (std::size_t k : {0u, 1u, 2u}) {
       r[k] = result.rank[static_cast<std::size_t>(triangle.edges[k])];
@@ -110,8 +113,9 @@ BettiCurve betti_curve(const Ranking& ranking) {
   BettiCurve curve;
   int loops = 0;
   std::size_t t = 0;
+  Pulse pulse;
   for (std::size_t e = 0; e < ranking.lengths.size(); ++e) {
-    poll();
+    pulse();
     loops += ranking.makes_loop[e];
     for (; t < ranking.triangles.size() && ranking.triangles[t].longest == static_cast<int>(e);
          ++t) {

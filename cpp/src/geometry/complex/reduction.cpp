@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -39,8 +39,9 @@ int pop_pivot(std::vector<int>& heap) {
 Reduction::Reduction(Ranking ranking) : ranking_(std::move(ranking)) {
   columns_.resize(ranking_.lengths.size());
   entries_.reserve(4 * ranking_.lengths.size());
+  Pulse pulse;
   for (std::size_t t = 0; t < ranking_.triangles.size(); ++t) {
-    poll();
+    pulse();
     if (ranking_.triangles[t].fills_loop) add_column(static_cast<int>(t));
   }
   collect_pairs();
@@ -63,8 +64,9 @@ void Reduction::add_column(int triangle) {
 
 Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle) const {
   Remainder result{-1, -1};
+  Pulse pulse;
   while ((result.pivot = pop_pivot(heap)) >= 0) {
-    poll();
+    pulse();
     const Column& column = columns_[static_cast<std::size_t>(result.pivot)];
     if (column.triangle < 0 || column.triangle >= end_triangle) break;
     result.last_triangle = std::max(result.last_triangle, column.triangle);
@@ -76,8 +78,9 @@ Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle)
 }
 
 void Reduction::collect_pairs() {
+  Pulse pulse;
   for (std::size_t pivot = 0; pivot < columns_.size(); ++pivot) {
-    poll();
+    pulse();
     if (columns_[pivot].triangle < 0) continue;
     const auto& filling = ranking_.triangles[static_cast<std::size_t>(columns_[pivot].triangle)];
     const double birth = ranking_.lengths[pivot];
@@ -121,8 +124,9 @@ std::vector<std::uint64_t> Reduction::labels(double max_edge_length,
     const auto pivot = static_cast<std::size_t>(pivots_[static_cast<std::size_t>(classes[i])]);
     labels[pivot * width + i / 64] |= std::uint64_t{1} << (i % 64);
   }
+  Pulse pulse;
   for (std::size_t e = 0; e < num_edges; ++e) {
-    poll();
+    pulse();
     const Column& column = columns_[e];
     for (int i = column.begin; i < column.end; ++i) {
       const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(i)]);

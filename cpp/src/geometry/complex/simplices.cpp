@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -26,13 +26,14 @@ std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   const std::vector<int> begin = starts(std::move(counts));
   std::vector<int> next = begin;
   std::vector<Facet> result(facets.size());
+  Pulse pulse;
   for (const Facet& facet : facets) {
-    poll();
+    pulse();
     int& place = next[static_cast<std::size_t>(facet.vertices[0])];
     result[static_cast<std::size_t>(place++)] = facet;
   }
   for (std::size_t a = 0; a < n; ++a) {
-    poll();
+    pulse();
     std::sort(result.begin() + begin[a], result.begin() + begin[a + 1],
               [](const Facet& one, const Facet& other) { return one.vertices < other.vertices; });
   }
@@ -43,8 +44,9 @@ std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
 /// sorted without duplicates.
 void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& out) {
   std::vector<int> counts(n + 1);
+  Pulse pulse;
   for (const Facet& facet : facets) {
-    poll();
+    pulse();
     counts[static_cast<std::size_t>(facet.vertices[0])] += 2;
     counts[static_cast<std::size_t>(facet.vertices[1])] += 1;
   }
@@ -54,7 +56,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
     larger[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
   };
   for (const Facet& facet : facets) {
-    poll();
+    pulse();
     const auto [a, b, c] = facet.vertices;
     put(a, b);
     put(a, c);
@@ -62,7 +64,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
   }
   out.first_edge.assign(n + 1, 0);
   for (std::size_t a = 0; a < n; ++a) {
-    poll();
+    pulse();
     const auto first = larger.begin() + begin[a], last = larger.begin() + begin[a + 1];
     std::sort(first, last);
     const auto end = std::unique(first, last);
@@ -91,15 +93,25 @@ Simplices simplices(const Eigen::Matrix3Xd& points, const Delaunay& delaunay) {
   result.edges.reserve(facets.size());
   collect_edges(facets, n, result);
   result.lengths.reserve(result.edges.size());
+  Pulse pulse;
   for (const auto& [a, b] : result.edges) {
-    poll();
+    pulse();
     result.lengths.push_back((points.col(a) - points.col(b)).norm());
   }
   result.triangles.reserve(facets.size());
+  std::vector<int> edge_to(n);  // from the first vertex
+  int first = -1;
   for (const Facet& facet : facets) {
-    poll();
+    pulse();
     const auto [a, b, c] = facet.vertices;
-    const std::array<int, 3> edges{result.edge(a, b), result.edge(a, c), result.edge(b, c)};
+    if (a != first) {
+      first = a;
+      const int end = result.first_edge[static_cast<std::size_t>(a) + 1];
+      for (int e = result.first_edge[static_cast<std::size_t>(a)]; e < end; ++e)
+        edge_to[static_cast<std::size_t>(result.edges[static_cast<std::size_t>(e)][1])] = e;
+    }
+    const std::array<int, 3> edges{edge_to[static_cast<std::size_t>(b)],
+                                   edge_to[static_cast<std::size_t>(c)], result.edge(b, c)};
     double longest = 0;
     for (const int e : edges) {
       longest = std::max(longest, result.lengths[static_cast<std::size_t>(e)]);

@@ -8,9 +8,8 @@
 #include <map>
 #include <utility>
 
-#include "graspless/watch.hpp"
-
 #include "geometry/loops/shortest_paths.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -53,8 +52,9 @@ class LabelPropagation {
   void list_triangles(const Complex& complex) {
     triangles_.resize(index(static_cast<int>(complex.triangles.cols())));
     first_.assign(index(graph_.num_edges()) + 1, 0);
+    Pulse pulse;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      poll();
+      pulse();
       const auto corner = complex.triangles.col(static_cast<Eigen::Index>(t));
       triangles_[t] = {graph_.edge(corner[0], corner[1]), graph_.edge(corner[0], corner[2]),
                        graph_.edge(corner[1], corner[2])};
@@ -75,8 +75,9 @@ class LabelPropagation {
     for (int root = 0; root < graph_.num_vertices(); ++root) {
       if (depth_[index(root)] >= 0) continue;
       paths.start(root, std::numeric_limits<double>::infinity());
+      Pulse pulse;
       for (int v = root; (v = paths.next()) >= 0;) {
-        poll();
+        pulse();
         depth_[index(v)] = paths.distance(v);
         paths.expand(v);
         if (paths.via(v) >= 0) assign(paths.via(v), {});
@@ -88,8 +89,9 @@ class LabelPropagation {
   /// Edges without a label, in order of the length of the cycle they close in the forest.
   std::vector<int> by_cycle_length() const {
     std::vector<std::pair<double, int>> order;
+    Pulse pulse;
     for (int e = 0; e < graph_.num_edges(); ++e) {
-      poll();
+      pulse();
       const auto [a, b] = graph_.ends(e);
       if (!is_known_[index(e)])
         order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
@@ -107,8 +109,9 @@ class LabelPropagation {
   }
 
   void propagate() {
+    Pulse pulse;
     while (!queue_.empty()) {
-      poll();
+      pulse();
       const int edge = queue_.back();
       queue_.pop_back();
       for (int i = first_[index(edge)]; i < first_[index(edge) + 1]; ++i)
@@ -154,8 +157,9 @@ class LabelPropagation {
 class Relations {
  public:
   explicit Relations(const std::vector<Symbols>& relations) {
+    Pulse pulse;
     for (const Symbols& relation : relations) {
-      poll();
+      pulse();
       Symbols rest = reduced(relation);
       if (rest.empty()) continue;
       const int pivot = rest.back();
@@ -193,8 +197,9 @@ Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
     if (!relations.eliminates(symbol)) bit[static_cast<std::size_t>(symbol)] = next++;
   }
   bits_.assign(labels.values().size() * static_cast<std::size_t>(words_), 0);
+  Pulse pulse;
   for (std::size_t e = 0; e < labels.values().size(); ++e) {
-    poll();
+    pulse();
     if (labels.values()[e].empty()) continue;
     for (const int symbol : relations.reduced(labels.values()[e])) {
       const auto b = static_cast<std::size_t>(bit[static_cast<std::size_t>(symbol)]);

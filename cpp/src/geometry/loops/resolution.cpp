@@ -3,9 +3,10 @@
 #include "geometry/loops/resolution.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t kNeighbors = 6;  // of a point inside an even cloud on a s
 /// are beyond the cloud's resolution.
 constexpr double kReach = 2;
 
-double median(std::vector<double> values) {
+double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -26,35 +27,54 @@ double median(std::vector<double> values) {
 using Neighbor = std::pair<double, int>;  // distance [m], point
 
 /// For each point, the nearest points that it shares an edge with, nearest first.
-std::vector<std::vector<Neighbor>> nearest_neighbors(const Complex& complex) {
-  std::vector<std::vector<Neighbor>> all(static_cast<std::size_t>(complex.points.cols()));
-  for (const auto& edge : complex.edges.colwise()) {
-    poll();
-    const double length = (complex.points.col(edge[0]) - complex.points.col(edge[1])).norm();
-    all[static_cast<std::size_t>(edge[0])].emplace_back(length, edge[1]);
-    all[static_cast<std::size_t>(edge[1])].emplace_back(length, edge[0]);
+class NearestNeighbors {
+ public:
+  explicit NearestNeighbors(const Complex& complex)
+      : first_(static_cast<std::size_t>(complex.points.cols()) + 1) {
+    for (const int end : complex.edges.reshaped()) ++first_[static_cast<std::size_t>(end) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    all_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    Pulse pulse;
+    for (const auto& edge : complex.edges.colwise()) {
+      pulse();
+      const double length = (complex.points.col(edge[0]) - complex.points.col(edge[1])).norm();
+      all_[next[static_cast<std::size_t>(edge[0])]++] = {length, edge[1]};
+      all_[next[static_cast<std::size_t>(edge[1])]++] = {length, edge[0]};
+    }
+    for (std::size_t point = 0; point + 1 < first_.size(); ++point) {
+      pulse();
+      std::partial_sort(begin(point), end(point), at(first_[point + 1]));
+    }
   }
-  for (auto& neighbors : all) {
-    poll();
-    const std::size_t count = std::min(kNeighbors, neighbors.size());
-    std::partial_sort(neighbors.begin(), neighbors.begin() + static_cast<std::ptrdiff_t>(count),
-                      neighbors.end());
-    neighbors.resize(count);
+
+  using Iterator = std::vector<Neighbor>::iterator;
+  Iterator begin(std::size_t point) { return at(first_[point]); }
+  Iterator end(std::size_t point) {
+    return at(std::min(first_[point] + kNeighbors, first_[point + 1]));
   }
-  return all;
-}
+
+ private:
+  Iterator at(std::size_t i) { return all_.begin() + static_cast<std::ptrdiff_t>(i); }
+
+  std::vector<std::size_t> first_;  // of each point in all_, and the size of that
+  std::vector<Neighbor> all_;
+};
 
 }  // namespace
 
 Resolution::Resolution(const Complex& complex) : points_(complex.points) {
-  const auto neighbors = nearest_neighbors(complex);
+  NearestNeighbors neighbors(complex);
+  const auto farthest = [&](std::size_t point) { return (neighbors.end(point) - 1)->first; };
   std::vector<double> values;
-  for (const auto& of_point : neighbors) {
-    poll();
+  Pulse pulse;
+  for (std::size_t point = 0; point < static_cast<std::size_t>(points_.cols()); ++point) {
+    pulse();
     values.clear();
-    if (!of_point.empty()) values.push_back(of_point.back().first);
-    for (const auto& [distance, other] : of_point)
-      values.push_back(neighbors[static_cast<std::size_t>(other)].back().first);
+    const auto begin = neighbors.begin(point), end = neighbors.end(point);
+    if (begin != end) values.push_back(farthest(point));
+    for (auto other = begin; other != end; ++other)
+      values.push_back(farthest(static_cast<std::size_t>(other->second)));
     spacing_.push_back(values.empty() ? 0 : median(values));
   }
 }
@@ -81,15 +101,16 @@ Complex surface_of(const Complex& complex, const Resolution& resolution) {
   result.edges.resize(2, complex.edges.cols());
   result.triangles.resize(3, complex.triangles.cols());
   Eigen::Index edges = 0, triangles = 0;
+  Pulse pulse;
   for (const auto& edge : complex.edges.colwise()) {
-    poll();
+    pulse();
     if (resolution.is_gap(edge[0], edge[1])) continue;
     result.edges.col(edges++) = edge;
     result.max_edge_length = std::max(
         result.max_edge_length, (complex.points.col(edge[0]) - complex.points.col(edge[1])).norm());
   }
   for (const auto& corners : complex.triangles.colwise()) {
-    poll();
+    pulse();
     if (resolution.is_gap(corners[0], corners[1]) || resolution.is_gap(corners[0], corners[2]) ||
         resolution.is_gap(corners[1], corners[2]))
       continue;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -33,8 +33,9 @@ bool RootedCycles::is_before(const ClosingEdge& one, const ClosingEdge& other) {
 const std::vector<RootedCycles::ClosingEdge>& RootedCycles::from(int root, double longest) {
   closing_edges_.clear();
   paths_.start(root, longest / 2);
+  Pulse pulse;
   for (int v = root; (v = paths_.next()) >= 0;) {
-    poll();
+    pulse();
     set_path_class(v);
     paths_.expand(v, [&](const EdgeGraph::Arc& arc) {
       if (is_trivial(v, arc.to, arc.edge)) return;
@@ -51,9 +52,10 @@ const std::vector<RootedCycles::ClosingEdge>& RootedCycles::from(int root, doubl
 std::optional<RootedCycles::ClosingEdge> RootedCycles::shortest(int root, double longest,
                                                                 const Word* cls) {
   std::optional<ClosingEdge> best;
+  Pulse pulse;
   paths_.start(root, longest / 2);
   for (int v = root; (v = paths_.next()) >= 0;) {
-    poll();
+    pulse();
     if (best && 2 * paths_.distance(v) > best->length * kOverSum) break;
     set_path_class(v);
     paths_.expand(v, [&](const EdgeGraph::Arc& arc) {

@@ -137,8 +137,10 @@ std::vector<ClassCycle> basis_of(const Complex& complex, const EdgeGraph& graph,
                                  const Annotation& annotation) {
   Search search(complex, graph, annotation);
   const std::vector<int> all = roots(graph, annotation);
-  for (auto root = all.begin(); root != all.end(); ++root)
+  for (auto root = all.begin(); root != all.end(); ++root) {
+    poll();
     search.from(*root, {root + 1, all.end()});
+  }
   return search.cycles();
 }
 

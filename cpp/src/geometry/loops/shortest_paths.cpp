@@ -9,7 +9,7 @@ namespace graspless::geometry {
 
 namespace {
 
-constexpr double kBuckets = 8;       // per mean shortest arc of a vertex: each holds few vertices
+constexpr double kBuckets = 8;        // per mean shortest arc of a vertex: each holds few vertices
 constexpr double kMostBuckets = 256;  // per mean arc, where points lie in tight pairs
 
 /// Weights make long arcs so much longer that their mean would put all vertices in few buckets.
