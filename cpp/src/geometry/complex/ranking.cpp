@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
@@ -16,18 +14,29 @@ namespace {
 /// Disjoint sets of 0 ... n - 1 (union-find).
 class DisjointSets {
  public:
-  explicit DisjointSets(int n) : sets_(static_cast<std::size_t>(n)) {}
+  explicit DisjointSets(int n) : parent_(static_cast<std::size_t>(n), -1) {}
   /// Joins two sets. Returns false if they were one set already.
   bool join(int a, int b) {
-    const auto i = sets_.find_set(static_cast<std::size_t>(a));
-    const auto j = sets_.find_set(static_cast<std::size_t>(b));
+    int i = root(a), j = root(b);
     if (i == j) return false;
-    sets_.link(i, j);
+    if (parent(i) > parent(j)) std::swap(i, j);
+    parent(i) += parent(j);
+    parent(j) = i;
     return true;
   }
 
  private:
-  boost::disjoint_sets_with_storage<> sets_;
+  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  int root(int i) {
+    while (parent(i) >= 0) {
+      const int above = parent(i);
+      if (parent(above) >= 0) parent(i) = parent(above);  // halves the path
+      i = above;
+    }
+    return i;
+  }
+
+  std::vector<int> parent_;  // of a root: minus the size of its set
 };
 
 std::vector<int> by_length(const Simplices& simplices) {

@@ -63,11 +63,15 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
     put(b, c);
   }
   out.first_edge.assign(n + 1, 0);
+  std::vector<int> last_end_of(n, -1);  // the other end of each vertex's latest edge
   for (std::size_t a = 0; a < n; ++a) {
     pulse();
-    const auto first = larger.begin() + begin[a], last = larger.begin() + begin[a + 1];
-    std::sort(first, last);
-    const auto end = std::unique(first, last);
+    const auto first = larger.begin() + begin[a];
+    const auto end = std::remove_if(first, larger.begin() + begin[a + 1], [&](int b) {
+      return std::exchange(last_end_of[static_cast<std::size_t>(b)], static_cast<int>(a)) ==
+             static_cast<int>(a);
+    });
+    std::sort(first, end);
     for (auto b = first; b != end; ++b) out.edges.push_back({static_cast<int>(a), *b});
     out.first_edge[a + 1] = static_cast<int>(out.edges.size());
   }

@@ -20,7 +20,7 @@ RootedCycles::RootedCycles(EdgeGraph graph, const Annotation& annotation)
       paths_(graph_),
       words_(static_cast<std::size_t>(annotation.words())),
       is_zero_(static_cast<std::size_t>(graph_.num_edges())),
-      path_classes_(static_cast<std::size_t>(graph_.num_vertices()) * words_),
+      path_classes_(words_ == 1 ? 0 : static_cast<std::size_t>(graph_.num_vertices()) * words_),
       sum_(words_) {
   for (int e = 0; e < graph_.num_edges(); ++e)
     is_zero_[static_cast<std::size_t>(e)] = annotation.is_zero(e);
@@ -79,7 +79,7 @@ void RootedCycles::add_to_path_class(int vertex) {
   for (std::size_t w = 0; w < words_; ++w) path_class(vertex)[w] = path_class(parent)[w] ^ cls[w];
 }
 
-bool RootedCycles::is_trivial_sum(int a, int b, int edge) const {
+bool RootedCycles::is_trivial_sum(int a, int b, int edge) {
   const Word* cls = annotation_.of(edge);
   for (std::size_t w = 0; w < words_; ++w) {
     if ((path_class(a)[w] ^ path_class(b)[w]) != cls[w]) return false;

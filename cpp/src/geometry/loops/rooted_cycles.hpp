@@ -48,32 +48,31 @@ class RootedCycles {
   void set_path_class(int vertex) {
     const int parent = paths_.parent(vertex), via = paths_.via(vertex);
     if (words_ == 1 && parent >= 0 && is_zero_[static_cast<std::size_t>(via)]) {
-      *path_class(vertex) = *path_class(parent);
+      paths_.tag(vertex) = paths_.tag(parent);
     } else {
       add_to_path_class(vertex);
     }
   }
   void add_to_path_class(int vertex);
   /// True if an edge and the paths from its ends to the root form a boundary.
-  bool is_trivial(int a, int b, int edge) const {
+  bool is_trivial(int a, int b, int edge) {
     if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)])
-      return *path_class(a) == *path_class(b);
+      return paths_.tag(a) == paths_.tag(b);
     return is_trivial_sum(a, b, edge);
   }
-  bool is_trivial_sum(int a, int b, int edge) const;
+  bool is_trivial_sum(int a, int b, int edge);
   Word* path_class(int vertex) {
-    return path_classes_.data() + static_cast<std::size_t>(vertex) * words_;
-  }
-  const Word* path_class(int vertex) const {
-    return path_classes_.data() + static_cast<std::size_t>(vertex) * words_;
+    return words_ == 1 ? &paths_.tag(vertex)
+                       : path_classes_.data() + static_cast<std::size_t>(vertex) * words_;
   }
 
   const Annotation& annotation_;
   EdgeGraph graph_;
   ShortestPaths paths_;
   std::size_t words_;
-  std::vector<char> is_zero_;       // per edge: true if its label is zero
-  std::vector<Word> path_classes_;  // classes of the paths from the root to settled vertices
+  std::vector<char> is_zero_;  // per edge: true if its label is zero
+  /// Classes of the paths from the root to settled vertices. Those of one word are tags of paths_.
+  std::vector<Word> path_classes_;
   std::vector<Word> sum_;
   std::vector<ClosingEdge> closing_edges_;
 };

@@ -32,15 +32,14 @@ double bucket_width(const EdgeGraph& graph) {
 
 ShortestPaths::ShortestPaths(const EdgeGraph& graph)
     : graph_(graph),
-      state_(static_cast<std::size_t>(graph.num_vertices()), State{0, 0, -1}),
-      via_(state_.size()),
+      state_(static_cast<std::size_t>(graph.num_vertices())),
       queue_(bucket_width(graph)) {}
 
 void ShortestPaths::start(int root, double radius) {
   ++epoch_;
   radius_ = radius;
-  state_[index(root)] = {0, 2 * epoch_, -1};
-  via_[index(root)] = -1;
+  state_[index(root)] = State();
+  state_[index(root)].stamp = 2 * epoch_;
   queue_.clear();
   queue_.push(0, root);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -36,15 +37,19 @@ class ShortestPaths {
                                                          : std::numeric_limits<double>::infinity();
   }
   int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 for the root
-  int via(int vertex) const { return via_[index(vertex)]; }              ///< edge to the parent
+  int via(int vertex) const { return state_[index(vertex)].via; }        ///< edge to the parent
+  /// A word for each vertex that the caller sets and reads.
+  std::uint64_t& tag(int vertex) { return state_[index(vertex)].tag; }
   /// Vertices from a settled vertex to the root.
   std::vector<int> path(int vertex) const;
 
  private:
   struct State {
-    double distance;
-    unsigned stamp;  // 2 epoch: reached, 2 epoch + 1: settled
-    int parent;
+    double distance = 0;
+    std::uint64_t tag = 0;
+    unsigned stamp = 0;  // 2 epoch: reached, 2 epoch + 1: settled
+    int parent = -1, via = -1;
+    int unused = 0;  // two states fill a cache line
   };
   static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
 
@@ -52,7 +57,6 @@ class ShortestPaths {
   unsigned epoch_ = 0;  // number of searches started
   double radius_ = 0;
   std::vector<State> state_;
-  std::vector<int> via_;
   BucketQueue queue_;
 };
 
@@ -68,8 +72,10 @@ void ShortestPaths::expand(int vertex, const Meet& meet) {
     }
     const double distance = from + arc.length;
     if (distance > radius_ || (to.stamp == seen && distance >= to.distance)) continue;
-    to = {distance, seen, vertex};
-    via_[index(arc.to)] = arc.edge;
+    to.distance = distance;
+    to.stamp = seen;
+    to.parent = vertex;
+    to.via = arc.edge;
     queue_.push(distance, arc.to);
   }
 }
