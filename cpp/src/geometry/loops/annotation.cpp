@@ -32,11 +32,11 @@ class LabelPropagation {
  public:
   LabelPropagation(const Complex& complex, const EdgeGraph& graph) : graph_(graph) {
     list_triangles(complex);
-    is_known_.assign(static_cast<std::size_t>(graph.num_edges()), 0);
-    value_.resize(is_known_.size());
+    known_.assign(static_cast<std::size_t>(graph.num_edges()), Known::no);
+    value_.resize(known_.size());
     grow_forest();
     for (const int edge : by_cycle_length()) {
-      if (is_known_[index(edge)]) continue;
+      if (known_[index(edge)] != Known::no) continue;
       assign(edge, {num_symbols_++});
       propagate();
     }
@@ -52,11 +52,17 @@ class LabelPropagation {
   void list_triangles(const Complex& complex) {
     triangles_.resize(index(static_cast<int>(complex.triangles.cols())));
     first_.assign(index(graph_.num_edges()) + 1, 0);
+    std::vector<int> edge_to(index(graph_.num_vertices()));
+    int first = -1;
     Pulse pulse;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       pulse();
       const auto corner = complex.triangles.col(static_cast<Eigen::Index>(t));
-      triangles_[t] = {graph_.edge(corner[0], corner[1]), graph_.edge(corner[0], corner[2]),
+      if (corner[0] != first) {  // triangles with the same first corner follow each other
+        first = corner[0];
+        for (const EdgeGraph::Arc& arc : graph_.arcs(first)) edge_to[index(arc.to)] = arc.edge;
+      }
+      triangles_[t] = {edge_to[index(corner[1])], edge_to[index(corner[2])],
                        graph_.edge(corner[1], corner[2])};
       for (const int edge : triangles_[t]) ++first_[index(edge) + 1];
     }
@@ -93,7 +99,7 @@ class LabelPropagation {
     for (int e = 0; e < graph_.num_edges(); ++e) {
       pulse();
       const auto [a, b] = graph_.ends(e);
-      if (!is_known_[index(e)])
+      if (known_[index(e)] == Known::no)
         order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
     }
     std::sort(order.begin(), order.end());
@@ -103,8 +109,8 @@ class LabelPropagation {
   }
 
   void assign(int edge, Symbols value) {
-    is_known_[index(edge)] = 1;
-    value_[index(edge)] = std::move(value);
+    known_[index(edge)] = value.empty() ? Known::zero : Known::value;
+    if (!value.empty()) value_[index(edge)] = std::move(value);
     queue_.push_back(edge);
   }
 
@@ -123,17 +129,17 @@ class LabelPropagation {
     int unknown = -1, num_unknown = 0;
     bool is_empty = true;
     for (const int edge : edges) {
-      if (!is_known_[index(edge)]) {
+      if (known_[index(edge)] == Known::no) {
         unknown = edge;
         ++num_unknown;
       } else {
-        is_empty = is_empty && value_[index(edge)].empty();
+        is_empty = is_empty && known_[index(edge)] == Known::zero;
       }
     }
     if (num_unknown > 1 || (num_unknown == 0 && is_empty)) return;
     Symbols total;
     for (const int edge : edges) {
-      if (!value_[index(edge)].empty()) total = sum(total, value_[index(edge)]);
+      if (known_[index(edge)] == Known::value) total = sum(total, value_[index(edge)]);
     }
     if (num_unknown == 1) {
       assign(unknown, std::move(total));
@@ -146,7 +152,8 @@ class LabelPropagation {
   std::vector<std::array<int, 3>> triangles_;  // edges of each triangle
   std::vector<int> first_, cofaces_;           // triangles of each edge
   std::vector<double> depth_;                  // distance of each vertex to its root [m]
-  std::vector<char> is_known_;
+  enum class Known : char { no, zero, value };
+  std::vector<Known> known_;
   std::vector<Symbols> value_, relations_;
   std::vector<int> queue_;
   int num_symbols_ = 0;

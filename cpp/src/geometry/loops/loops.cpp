@@ -137,9 +137,10 @@ Loop make_loop(const Eigen::Matrix3Xd& points, const Cycle& cycle,
 }
 
 /// Finds the loops of the classes that are at their own scale in K_d, or of all that are alive.
-/// Removes these classes from `classes`.
-void find_loops(const Filtration& filtration, const Complex& complex,
-                const std::vector<int>& columns, bool takes_all, Judged& classes, Loops& result) {
+/// Removes these classes from `classes`. Returns the surface of K_d.
+Complex find_loops(const Filtration& filtration, const Complex& complex,
+                   const std::vector<int>& columns, bool takes_all, Judged& classes,
+                   Loops& result) {
   const double d = complex.max_edge_length;
   const auto own =
       std::stable_partition(classes.begin(), classes.end(), [&](const JudgedClass& judged) {
@@ -155,15 +156,15 @@ void find_loops(const Filtration& filtration, const Complex& complex,
   for (const ClassCycle& member : basis) cycles.push_back(member.cycle);
   const Resolution resolution(complex);
   cycles = around_gaps(complex, resolution, std::move(cycles));
-  const Complex surface = surface_of(complex, resolution);
+  Complex surface = surface_of(complex, resolution);
+  const std::vector<Thickness> measured = thickness(surface, cycles);
   for (std::size_t i = 0; i < basis.size(); ++i) {
     const JudgedClass& judged = own[basis[i].cls];
     Loop loop = make_loop(complex.points, cycles[i], columns);
     loop.birth = judged.span.birth;
     loop.death = judged.span.death;
-    const Thickness measured = thickness(surface, cycles[i]);
-    loop.thickness = measured.widest;
-    loop.width = measured.narrowest;
+    loop.thickness = measured[i].widest;
+    loop.width = measured[i].narrowest;
     loop.max_edge_length = d;
     loop.openness = judged.openness;
     loop.gap = resolution.widest_gap(cycles[i]);
@@ -175,6 +176,7 @@ void find_loops(const Filtration& filtration, const Complex& complex,
     list.push_back(std::move(loop));
   }
   classes.erase(own, classes.end());
+  return surface;
 }
 
 void sort_by_length(std::vector<Loop>& loops) {
@@ -205,15 +207,16 @@ void find_all(const Filtration& filtration, const std::vector<int>& columns, Jud
     d = clear_edge_length(filtration, all_holes);
   if (d > 0) {
     result.complex = filtration.complex(d);
-    find_loops(filtration, result.complex, columns, true, classes, result);
+    result.surface = find_loops(filtration, result.complex, columns, true, classes, result);
   }
   while (!d_is_given && !classes.empty()) {
     const Judged holes = holes_of(classes);
-    const Complex complex = filtration.complex(common_edge_length(filtration, holes, classes));
-    find_loops(filtration, complex, columns, false, classes, result);
+    Complex complex = filtration.complex(common_edge_length(filtration, holes, classes));
+    Complex surface = find_loops(filtration, complex, columns, false, classes, result);
     if (d == 0 && !holes.empty()) {
-      result.complex = complex;
       d = complex.max_edge_length;
+      result.complex = std::move(complex);
+      result.surface = std::move(surface);
     }
   }
   for (auto* list : {&result.found, &result.uncertain, &result.meridians}) sort_by_length(*list);
@@ -228,6 +231,7 @@ void choose_complex(const Filtration& filtration, Loops& result) {
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most == counts.end() || most->first == result.complex.max_edge_length) return;
   result.complex = filtration.complex(most->first);
+  result.surface = surface_of(result.complex, Resolution(result.complex));
 }
 
 }  // namespace
@@ -272,8 +276,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   } else {
     doubt_if_one_sided(filtration.points(), result);
   }
-  if (result.complex.edges.cols() > 0)
-    result.surface = surface_of(result.complex, Resolution(result.complex));
+  if (result.complex.edges.cols() == 0) result.surface = {};
   if (options.max_edge_length == 0) result.plateau = plateau_of(result);
   if (downsamples && options.polish) polish(points, result.found);
   report(filtration, options, result);

@@ -24,7 +24,7 @@ constexpr double kCell = 2;    // side of a pixel, in spacings
 constexpr double kBehind = 4;  // depth at which a point hides behind another, in spacings
 
 /// Share of the points behind which, in their pixel, no other is much nearer to a camera far away
-/// in a direction.
+/// in a direction; 0 if less than kNearlyAll.
 class DepthBuffer {
  public:
   DepthBuffer(const Eigen::Matrix3Xd& points, double spacing)
@@ -38,22 +38,29 @@ class DepthBuffer {
     const auto width = static_cast<std::size_t>((u.maxCoeff() - left) / cell_) + 1;
     const auto rows = static_cast<std::size_t>((v.maxCoeff() - low) / cell_) + 1;
     nearest_.assign(width * rows, -std::numeric_limits<double>::infinity());
-    const auto at = [&](Eigen::Index i) {
-      return static_cast<std::size_t>((v[i] - low) / cell_) * width +
-             static_cast<std::size_t>((u[i] - left) / cell_);
+    pixel_.resize(static_cast<std::size_t>(u.size()));
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      const auto at = static_cast<std::size_t>((v[i] - low) / cell_) * width +
+                      static_cast<std::size_t>((u[i] - left) / cell_);
+      pixel_[static_cast<std::size_t>(i)] = at;
+      nearest_[at] = std::max(nearest_[at], height[i]);
+    }
+    Eigen::Index hidden = 0;
+    const auto share = [&] {
+      return static_cast<double>(u.size() - hidden) / static_cast<double>(u.size());
     };
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      nearest_[at(i)] = std::max(nearest_[at(i)], height[i]);
+      hidden += !(height[i] > nearest_[pixel_[static_cast<std::size_t>(i)]] - behind_);
+      if (i % 64 == 0 && share() < kNearlyAll) return 0;
     }
-    Eigen::Index seen = 0;
-    for (Eigen::Index i = 0; i < u.size(); ++i) seen += height[i] > nearest_[at(i)] - behind_;
-    return static_cast<double>(seen) / static_cast<double>(u.size());
+    return share();
   }
 
  private:
   const Eigen::Matrix3Xd& points_;
   double cell_, behind_;
-  std::vector<double> nearest_;
+  std::vector<double> nearest_;     // of each pixel
+  std::vector<std::size_t> pixel_;  // of each point
 };
 
 }  // namespace

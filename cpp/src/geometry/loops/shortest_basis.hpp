@@ -32,7 +32,7 @@ struct Thickness {
   double widest = 0, narrowest = 0;
 };
 
-/// Thickness of the handle that a cycle runs along.
-Thickness thickness(const Complex& complex, const Cycle& cycle);
+/// Thickness of the handles that cycles run along, for each cycle.
+std::vector<Thickness> thickness(const Complex& complex, const std::vector<Cycle>& cycles);
 
 }  // namespace graspless::geometry

@@ -9,8 +9,8 @@ namespace graspless::geometry {
 
 namespace {
 
-constexpr double kBuckets = 8;        // per mean shortest arc of a vertex: each holds few vertices
-constexpr double kMostBuckets = 256;  // per mean arc, where points lie in tight pairs
+constexpr double kBuckets = 32;        // per mean shortest arc of a vertex: each holds few vertices
+constexpr double kMostBuckets = 1024;  // per mean arc, where points lie in tight pairs
 
 /// Weights make long arcs so much longer that their mean would put all vertices in few buckets.
 double bucket_width(const EdgeGraph& graph) {

@@ -10,6 +10,7 @@
 #include "graspless/geometry/loops.hpp"
 
 #include "geometry/loops/shortest_basis.hpp"
+#include "geometry/sampling/hilbert_order.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -18,15 +19,52 @@ constexpr int kSections = 48, kDirections = 12;
 constexpr std::size_t kMinPoints = 4;  // of a cross-section that counts
 constexpr double kPi = 3.14159265358979323846;
 
+/// The points of a cloud in balls of few neighbours, to find those near a plane.
+class Balls {
+ public:
+  explicit Balls(const Eigen::Matrix3Xd& points)
+      : points_(points(Eigen::all, morton_order(points))) {
+    const double rounding = 1e-9 * points.cwiseAbs().maxCoeff();
+    for (Eigen::Index first = 0; first < points_.cols(); first += kPoints) {
+      const auto members = points_.middleCols(first, std::min(kPoints, points_.cols() - first));
+      const Eigen::Vector3d middle = members.rowwise().mean();
+      const double radius = (members.colwise() - middle).colwise().norm().maxCoeff();
+      balls_.push_back({middle, radius + rounding});
+    }
+  }
+
+  /// Calls `visit` with all points of the balls that are within a distance of a plane.
+  template <class Visit>
+  void near(const ClaspTarget& plane, double distance, const Visit& visit) const {
+    Eigen::Index first = 0;
+    for (const Ball& ball : balls_) {
+      const Eigen::Index last = std::min(first + kPoints, points_.cols());
+      if (std::abs((ball.middle - plane.point).dot(plane.tangent)) <= distance + ball.radius) {
+        for (Eigen::Index i = first; i < last; ++i) visit(points_.col(i));
+      }
+      first = last;
+    }
+  }
+
+ private:
+  static constexpr Eigen::Index kPoints = 16;
+  struct Ball {
+    Eigen::Vector3d middle;
+    double radius;
+  };
+  Eigen::Matrix3Xd points_;  // the same number for each ball
+  std::vector<Ball> balls_;
+};
+
 /// A cross-section of the loop: the points near a plane across it, in coordinates of the plane.
 class CrossSection {
  public:
-  CrossSection(const Complex& complex, const ClaspTarget& center, double half_width) {
+  CrossSection(const Balls& balls, const ClaspTarget& center, double half_width) {
     const Eigen::Vector3d x = center.tangent.unitOrthogonal(), y = center.tangent.cross(x);
-    for (Eigen::Index i = 0; i < complex.points.cols(); ++i) {
-      const Eigen::Vector3d p = complex.points.col(i) - center.point;
+    balls.near(center, half_width, [&](const auto& point) {
+      const Eigen::Vector3d p = point - center.point;
       if (std::abs(p.dot(center.tangent)) <= half_width) points_.push_back({x.dot(p), y.dot(p)});
-    }
+    });
   }
 
   /// Removes and returns the points connected to the loop by steps of at most `gap`: the handle,
@@ -73,15 +111,10 @@ double tenth(std::vector<double> values) {
   return *at;
 }
 
-}  // namespace
-
-Thickness thickness(const Complex& complex, const Cycle& cycle) {
-  const Eigen::Matrix3Xd loop = complex.points(Eigen::all, cycle);
-  const double d = complex.max_edge_length;
+Thickness thickness_along(const Eigen::Matrix3Xd& loop, const Balls& balls, double d) {
   std::vector<double> narrowest, widest;
   for (const ClaspTarget& center : clasp_targets(loop, kSections)) {
-    const std::vector<Eigen::Vector2d> piece =
-        CrossSection(complex, center, d / 3).take_connected(d);
+    const std::vector<Eigen::Vector2d> piece = CrossSection(balls, center, d / 3).take_connected(d);
     if (piece.size() < kMinPoints) continue;
     const auto [least, most] = widths_of(piece);
     narrowest.push_back(least);
@@ -89,6 +122,19 @@ Thickness thickness(const Complex& complex, const Cycle& cycle) {
   }
   if (widest.empty()) return {};
   return {tenth(std::move(widest)), tenth(std::move(narrowest))};
+}
+
+}  // namespace
+
+std::vector<Thickness> thickness(const Complex& complex, const std::vector<Cycle>& cycles) {
+  std::vector<Thickness> result;
+  if (cycles.empty()) return result;
+  const Balls balls(complex.points);
+  for (const Cycle& cycle : cycles) {
+    result.push_back(
+        thickness_along(complex.points(Eigen::all, cycle), balls, complex.max_edge_length));
+  }
+  return result;
 }
 
 }  // namespace graspless::geometry
