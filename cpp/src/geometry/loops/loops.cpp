@@ -16,13 +16,14 @@
 #include "graspless/geometry/shape.hpp"
 
 #include "geometry/complex/plateaus.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 #include "geometry/loops/classes.hpp"
 #include "geometry/loops/evidence.hpp"
 #include "geometry/loops/one_sided.hpp"
 #include "geometry/loops/polish.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/loops/thickness.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/downsample.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "geometry/loops/rooted_cycles.hpp"
+#include "geometry/cycles/rooted_cycles.hpp"
 #include "geometry/sampling/hilbert_order.hpp"
 
 namespace graspless::geometry {

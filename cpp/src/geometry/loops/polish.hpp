@@ -6,8 +6,8 @@
 
 #include "graspless/geometry/loops.hpp"
 
+#include "geometry/cycles/shortest_basis.hpp"
 #include "geometry/loops/resolution.hpp"
-#include "geometry/loops/shortest_basis.hpp"
 
 /// Shorter cycles of the same homology class, from a few roots on each instead of all vertices:
 /// fast, but not always shortest.

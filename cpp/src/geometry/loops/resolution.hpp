@@ -8,7 +8,7 @@
 
 #include "graspless/geometry/complex.hpp"
 
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 
 namespace graspless::geometry {
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Thickness of the handle that a loop runs along: the width of cross-sections of the cloud.
+#include "geometry/loops/thickness.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +11,6 @@
 
 #include "graspless/geometry/loops.hpp"
 
-#include "geometry/loops/shortest_basis.hpp"
 #include "geometry/sampling/hilbert_order.hpp"
 
 namespace graspless::geometry {

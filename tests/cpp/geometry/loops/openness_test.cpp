@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "geometry/loops/small_complexes.hpp"
+#include "geometry/cycles/small_complexes.hpp"
 
 namespace graspless::geometry {
 namespace {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/clouds.hpp"
-#include "geometry/loops/homology_oracle.hpp"
-#include "geometry/loops/small_complexes.hpp"
+#include "geometry/cycles/homology_oracle.hpp"
+#include "geometry/cycles/small_complexes.hpp"
 
 namespace graspless::geometry {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/clouds.hpp"
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 
 namespace graspless::geometry {
 namespace {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "geometry/loops/homology_oracle.hpp"
-#include "geometry/loops/small_complexes.hpp"
+#include "complaint.hpp"
+#include "geometry/clouds.hpp"
+#include "geometry/cycles/homology_oracle.hpp"
+#include "geometry/cycles/small_complexes.hpp"
 
 namespace graspless::geometry {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/edge_graph.hpp"
+#include "geometry/cycles/edge_graph.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/cycle_basis.hpp"
+#include "geometry/cycles/cycle_basis.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/rooted_cycles.hpp"
+#include "geometry/cycles/rooted_cycles.hpp"
 
 #include <limits>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/loops/small_complexes.hpp"
+#include "geometry/cycles/small_complexes.hpp"
 
 namespace graspless::geometry {
 namespace {

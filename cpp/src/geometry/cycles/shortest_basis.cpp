@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "graspless/watch.hpp"
 
-#include "geometry/loops/cycle_basis.hpp"
-#include "geometry/loops/rooted_cycles.hpp"
+#include "geometry/cycles/cycle_basis.hpp"
+#include "geometry/cycles/rooted_cycles.hpp"
 
 namespace graspless::geometry {
 namespace {

@@ -26,13 +26,4 @@ struct ClassCycle {
 /// Same for the classes that have labels, modulo those that have none. Every class occurs once.
 std::vector<ClassCycle> shortest_basis(const Complex& complex, ClassLabels labels);
 
-/// Largest and smallest width of the cross-sections of a handle, at the thinnest ones [m]; 0 if
-/// unknown.
-struct Thickness {
-  double widest = 0, narrowest = 0;
-};
-
-/// Thickness of the handles that cycles run along, for each cycle.
-std::vector<Thickness> thickness(const Complex& complex, const std::vector<Cycle>& cycles);
-
 }  // namespace graspless::geometry

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/loops/annotation.hpp"
-#include "geometry/loops/shortest_basis.hpp"
-#include "geometry/loops/shortest_paths.hpp"
+#include "geometry/cycles/annotation.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
+#include "geometry/cycles/shortest_paths.hpp"
 
 namespace graspless::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/annotation.hpp"
+#include "geometry/cycles/annotation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "geometry/loops/shortest_paths.hpp"
+#include "geometry/cycles/shortest_paths.hpp"
 #include "geometry/pulse.hpp"
 
 namespace graspless::geometry {

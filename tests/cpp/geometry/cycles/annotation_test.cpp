@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/annotation.hpp"
+#include "geometry/cycles/annotation.hpp"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "geometry/loops/homology_oracle.hpp"
-#include "geometry/loops/shortest_basis.hpp"
-#include "geometry/loops/small_complexes.hpp"
+#include "geometry/cycles/homology_oracle.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
+#include "geometry/cycles/small_complexes.hpp"
 
 namespace graspless::geometry {
 namespace {

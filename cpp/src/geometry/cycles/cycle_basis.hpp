@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/loops/annotation.hpp"
-#include "geometry/loops/shortest_basis.hpp"
+#include "geometry/cycles/annotation.hpp"
+#include "geometry/cycles/shortest_basis.hpp"
 
 namespace graspless::geometry {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/loops/edge_graph.hpp"
+#include "geometry/cycles/edge_graph.hpp"
 
 namespace graspless::geometry {
 

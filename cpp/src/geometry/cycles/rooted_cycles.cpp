@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/rooted_cycles.hpp"
+#include "geometry/cycles/rooted_cycles.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "geometry/loops/shortest_paths.hpp"
+#include "geometry/cycles/shortest_paths.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/loops/bucket_queue.hpp"
-#include "geometry/loops/edge_graph.hpp"
+#include "geometry/cycles/bucket_queue.hpp"
+#include "geometry/cycles/edge_graph.hpp"
 
 namespace graspless::geometry {
 
