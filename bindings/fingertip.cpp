@@ -746,7 +746,8 @@ void bind_fingertip(py::module_ m) {
   bind_surroundings(m);
   bind_motion(m);
   bind_problem(m);
-  bind_choices<Search>(m, "Search", "Search algorithms. All find the same cost.");
+  bind_choices<Search>(
+      m, "Search", "Search algorithms. All find the same cost, except on lattices with regrasps.");
   bind_options_struct<Options>(m, "Options", "Options of the search.");
   bind_rows(m);
   bind_statistics(m);

@@ -386,7 +386,8 @@ void bind_plan(py::module_& m) {
               "q_home."});
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(
-      Field{"overhang", &Plan::overhang, "Length of the object beyond the edge at the goal [m]."});
+      Field{"overhang", &Plan::overhang,
+            "Length of the object beyond the edge at the goal [m]; 0 for a problem with an end."});
   field(Field{"tube", &Plan::tube,
               "Bounds on where the object can be at each row of the slide; empty: not stated."});
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
@@ -398,7 +399,9 @@ void bind_plan(py::module_& m) {
       .def_property(
           "X_WH_grasp", [](const Plan& self) { return from_pose(self.X_WH_grasp); },
           [](Plan& self, const Array& X) { self.X_WH_grasp = to_pose(X, "X_WH_grasp"); },
-          "(4, 4) pose of the grasp frame H in the world at the grasp.")
+          "(4, 4) pose of the grasp frame H in the world at the grasp; the identity for a problem "
+          "with "
+          "an end, which has no grasp.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"status", "reason", "segments"});
       });

@@ -185,3 +185,12 @@ def test_certify_and_prove_are_not_combined(tmp_path, capsys):
     assert "--certify: cannot be combined with --prove" in capsys.readouterr().err
     assert main([*command, "--certify"]) == 0
     assert "edges between rows are certified" in capsys.readouterr().out
+
+
+def test_a_plan_without_joints_has_no_certified_edges(tmp_path, capsys):
+    path = str(tmp_path / "plan.json")
+    main(["plan", str(EXAMPLES / "06_push_block.yaml"), "-o", path])
+    assert main(["check", path, "--certify"]) == 0
+    said = capsys.readouterr().out
+    assert "it moves no joints, so there are no edges to certify" in said
+    assert "are certified" not in said

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fingertip plans: what is written is what was found, and what is read back checks the same."""
 
+import itertools
 import json
 import threading
 import time
@@ -325,3 +326,72 @@ def test_check_sees_a_plan_that_withstands_less_than_it_says(tumble, change):
     change(document)
     faults = graspless.check(read_plan(json.dumps(document), "changed"))
     assert any("withstands: " in fault and "promised" in fault for fault in faults), faults
+
+
+BAR = """kind: fingertip
+object: {{box: [0.10, 0.06, 0.02], mass: 0.2}}
+fingers: {{radius: 0.005, start: {start}}}
+friction: 0.2
+obstacles: [{{name: bar, box: [0.002, 1.0, 0.004], pose: {{position: [{x}, 0, 0.023]}}}}]
+motion: {motion}
+"""
+LATTICE = (
+    "{lattice: {goal: {position: [0.2, 0, 0.01]}, lower: [0, -0.1, 0], upper: [0.25, 0.1, 0], "
+    "counts: [6, 5, 1]}}"
+)
+SLIDE = "{slide: {translation: [0.2, 0, 0], segments: 4}}"
+
+
+GIVEN = "[[0.0, 0.015, 0.01], [0.0, -0.015, 0.01]]"
+
+
+@pytest.mark.parametrize("motion", [LATTICE, SLIDE])
+@pytest.mark.parametrize(("start", "search"), [(GIVEN, "fast"), (GIVEN, "paper"), ("[]", "fast")])
+def test_fingertips_do_not_pass_through_an_obstacle_between_poses(motion, start, search):
+    solved = 0
+    for x in (0.0333, 0.03, 0.07):
+        task = read_task(BAR.format(x=x, motion=motion, start=start), "bar.yaml")
+        plan = graspless.plan(task.with_options(search=search))
+        if not plan:
+            assert plan.status == fingertip.Status.unstable
+            continue
+        solved += 1
+        assert graspless.check(plan) == []
+        expect_clear_of_bar(plan, x)
+    assert solved > 0
+
+
+def expect_clear_of_bar(plan, x):
+    """Looks at the fingertips of a plan that does not turn, far more often than it has rows."""
+    radius, half = 0.005, np.array([0.001, 0.5, 0.002])
+    for segment in plan.segments:
+        centers = segment.fingers[0] - radius * segment.normals[0]  # in O
+        for before, after in itertools.pairwise(segment.X_WO):
+            for t in np.linspace(0, 1, 101):
+                shift = before[:3, 3] + t * (after - before)[:3, 3]
+                for center in centers:
+                    away = np.abs(before[:3, :3] @ center + shift - [x, 0, 0.023]) - half
+                    assert np.linalg.norm(np.maximum(away, 0)) > radius - 1e-4
+
+
+def test_a_bar_in_the_way_of_given_fingers_leaves_no_plan():
+    task = read_task(BAR.format(x=0.0333, motion=SLIDE, start=GIVEN), "bar.yaml")
+    assert not graspless.plan(task.with_options(max_regrasps=0))
+
+
+def test_an_obstacle_between_two_poses_of_a_path_is_named():
+    text = BAR.format(x=0.05, motion="{slide: {translation: [1.0, 0, 0], segments: 1}}", start="[]")
+    text = text.replace("[0.002, 1.0, 0.004]", "[0.005, 1, 1]")
+    text = text.replace("position: [0.05,", "position: [0.33,")
+    with pytest.raises(TaskError, match=r"touches .*bar.* on the way"):
+        graspless.plan(read_task(text, "bar.yaml"))
+
+
+def test_check_sees_an_obstacle_between_rows():
+    free = read_task(BAR.format(x=0.9, motion=SLIDE, start=GIVEN), "free.yaml")
+    plan = graspless.plan(free)
+    assert plan
+    assert graspless.check(plan) == []
+    text = plan.to_json().replace("0.9,", "0.0333,", 1)
+    faults = graspless.check(read_plan(text, "blocked.json"))
+    assert any("obstacle 'bar'" in fault for fault in faults)

@@ -13,7 +13,7 @@ import pytest
 
 import graspless
 from browser_common import served
-from graspless import Task, TaskError, frames, slide
+from graspless import Task, TaskError, cli, frames, slide
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
@@ -251,3 +251,21 @@ def test_the_contact_on_a_bowl_is_on_its_bottom(bowl_problem):
     assert np.abs(marked[:, 2] - bowl_problem.object.top).max() < 0.003
     trail = np.concatenate([part.vertices for part in slide_bodies.trail_body(shown).parts])
     assert np.abs(trail[:, 2] - bowl_problem.object.top).max() < 0.003
+
+
+def test_a_carry_without_obstacles_is_drawn(tmp_path):
+    text = """kind: carry
+robot: {urdf: wam_t42, home: {wam_joint_2: 0.7, wam_joint_4: 1.6, wam_joint_6: 0.84}}
+frame: grasp
+object: {name: bar, box: [0.02, 0.02, 0.10]}
+pose: {position: [0.65, 0.0, 0.29]}
+offset: [0.0, 0.1, 0.05]
+"""
+    (tmp_path / "carry.yaml").write_text(text)
+    plan = graspless.plan(tmp_path / "carry.yaml")
+    assert plan, plan.reason
+    plan.save(tmp_path / "plan.json")
+    for name in ("carry.png", "carry.html"):
+        option = f"--{name.split('.')[1]}"
+        assert cli.main(["view", str(tmp_path / "plan.json"), option, str(tmp_path / name)]) == 0
+        assert (tmp_path / name).stat().st_size > 1000

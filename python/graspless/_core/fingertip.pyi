@@ -415,7 +415,7 @@ class Problem:
         """
 class Search(graspless._named.Named):
     """
-    Search algorithms. All find the same cost.
+    Search algorithms. All find the same cost, except on lattices with regrasps.
     """
     dijkstra = ...
     fast = ...
@@ -556,7 +556,7 @@ class Options:
     @property
     def search(self) -> Search:
         """
-        Search algorithm. All find the same cost.
+        Search algorithm. All find the same cost, but fast may find a higher one on a lattice with regrasps: `lower_bound` says so.
         """
     @search.setter
     def search(self, arg0: Search) -> None:

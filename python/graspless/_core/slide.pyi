@@ -888,7 +888,7 @@ class Plan:
     @property
     def X_WH_grasp(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[4, 4]"]:
         """
-        (4, 4) pose of the grasp frame H in the world at the grasp.
+        (4, 4) pose of the grasp frame H in the world at the grasp; the identity for a problem with an end, which has no grasp.
         """
     @X_WH_grasp.setter
     def X_WH_grasp(self, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
@@ -912,7 +912,7 @@ class Plan:
     @property
     def overhang(self) -> float:
         """
-        Length of the object beyond the edge at the goal [m].
+        Length of the object beyond the edge at the goal [m]; 0 for a problem with an end.
         """
     @overhang.setter
     def overhang(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

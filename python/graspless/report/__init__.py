@@ -103,7 +103,13 @@ def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None)
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
-    certified = "" if edges is None else f", and all {edges[1]} edges between rows are certified"
+    certified = ""
+    if edges is not None:
+        certified = (
+            f", and all {edges[1]} edges between rows are certified"
+            if edges[1]
+            else "; it moves no joints, so there are no edges to certify, and its rows are samples"
+        )
     found = f"an independent replay found no fault{certified}"
     held = f"holds: {segments}, {count(rows, 'rows')}; {found}"
     return held if plan.proof is None else f"{held}\n{plan.proof}"

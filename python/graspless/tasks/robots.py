@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 import warnings
 from pathlib import Path
@@ -152,20 +153,21 @@ def _built(robot: Robot) -> robots.Robot:
         texts[0], srdf=texts[1], packages=robot.packages, directory=texts[2], X_WB=X_WB
     )
     files = _stamps(collision_meshes(robot))
-    if all(stamp and stamp.changed < began for stamp in files.values()):
-        _known[key] = _Known(built, files)
-    while len(_known) > MOST_KNOWN:
-        _known.pop(next(iter(_known)), None)
+    if all(stamp and stamp.changed < began - SURE for stamp in files.values()):
+        with _lock:
+            _known[key] = _Known(built, files)
+            while len(_known) > MOST_KNOWN:
+                del _known[next(iter(_known))]
     return built
 
 
 class _Stamp(NamedTuple):
-    """A file that is replaced or written to gets another one."""
+    """A file that is replaced or written to gets another one, whatever its time is set to."""
 
     device: int
     number: int
     size: int
-    changed: int  # [ns]
+    changed: int  # content or inode [ns]
 
 
 class _Known(NamedTuple):
@@ -174,7 +176,9 @@ class _Known(NamedTuple):
 
 
 MOST_KNOWN = 8  # robots that are kept
+SURE = 2_000_000_000  # age above which a file was not written to while it was read [ns]
 _known: dict[tuple[Any, ...], _Known] = {}
+_lock = threading.Lock()  # of changes
 
 
 def _stamps(paths: Iterable[Path]) -> dict[Path, _Stamp | None]:
@@ -185,7 +189,7 @@ def _stamps(paths: Iterable[Path]) -> dict[Path, _Stamp | None]:
         except OSError:
             stamps[path] = None
         else:
-            stamps[path] = _Stamp(found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns)
+            stamps[path] = _Stamp(found.st_dev, found.st_ino, found.st_size, found.st_ctime_ns)
     return stamps
 
 

@@ -122,7 +122,7 @@ def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
     """Returns the obstacles with their poses in the world."""
     fields = fields_of(task)
     if fields is not None:
-        return obstacle_bodies(fields.obstacles)
+        return obstacle_bodies(fields.obstacles or ())
     return [
         (Body(o.name, [placed_part(placed, OBSTACLE) for placed in o.shapes]), np.asarray(o.X_WB))
         for o in task.problem.obstacles

@@ -49,7 +49,9 @@ constexpr auto fields(const Options&) {
   using planning::Field, planning::Range;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return std::make_tuple(
-      Field{"search", &Options::search, "", "Search algorithm. All find the same cost."},
+      Field{"search", &Options::search, "",
+            "Search algorithm. All find the same cost, but fast may find a higher one on a lattice "
+            "with regrasps: `lower_bound` says so."},
       Field{"locations_per_side", &Options::locations_per_side, "",
             "Number of fingertip locations along each side of a face's rectangle, centred in "
             "cells.",

@@ -86,8 +86,8 @@ struct Plan {
   std::optional<Interruption> resumed;  ///< of resume() and restart(): where the plan begins
   std::vector<Segment> segments;
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
-  Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g
-  double overhang = 0;                                           ///< u at the goal [m]
+  Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g; means nothing with an end
+  double overhang = 0;                                           ///< u at the goal [m]; as above
   Tube tube;                          ///< of the slide; a plan without values claims no bounds
   std::vector<std::string> warnings;  ///< risks that the plan carries, one sentence each
   Statistics statistics;

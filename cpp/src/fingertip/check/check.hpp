@@ -102,6 +102,7 @@ class Examination {
   Eigen::Vector3d center(const FingerState& finger) const;  // of the sphere, in O
   void check_clearances();
   void check_arcs();
+  void check_between_rows(World& world, std::size_t segment, std::size_t arc);
   void check_between_regrasps(World& world, std::size_t segment);
   void check_planes(const std::string& where, const Row& row, const Eigen::Isometry3d& X_WO,
                     double slack);

@@ -44,6 +44,7 @@ double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d (&co
 // Part of a sphere's radius that FCL's tests leave out, because FCL counts just touching as a
 // collision.
 constexpr double kSkin = 1e-3;
+constexpr double kMostLooks = 3000;  // at obstacles, along one arc
 
 /// True if a point lies on a mesh's surface (to `tolerance` [m]) where the inward normal is n_O.
 bool is_on_surface(const geometry::Mesh& mesh, const Eigen::Vector3d& p_O,
@@ -166,7 +167,34 @@ void Examination::check_arcs() {
           worlds.try_emplace(skins, problem_, problem_.fingers.radius - skins * skin).first->second;
       check_planes(place(s, r), segment(s).rows[r], row_pose(s, r), slack);
       check_world(world, place(s, r), segment(s).rows[r], row_pose(s, r));
+      if (!problem_.obstacles.empty() && r % parts == 0) check_between_rows(world, s, r / parts);
     }
+  }
+}
+
+/// Looks at obstacles between the rows of an arc: no fingertip moves by more than half its radius,
+/// nor any point of the object by more than a fiftieth of its size, from one look to the next.
+void Examination::check_between_rows(World& world, std::size_t s, std::size_t arc) {
+  const Vector6d twist_O = arc_twist(s, arc);
+  const auto way = [&](const Eigen::Vector3d& p_O) {
+    return (twist_O.head<3>() + twist_O.tail<3>().cross(p_O)).norm();
+  };
+  const auto parts = static_cast<std::size_t>(options_.samples_per_arc);
+  const Row& row = segment(s).rows[arc * parts];
+  double looks = 0;
+  for (const FingerState& finger : row.fingers) {
+    looks = std::max(looks, way(center(finger)) / (0.5 * problem_.fingers.radius));
+  }
+  for (const auto& vertex : problem_.object.hull().colwise()) {
+    looks = std::max(looks, way(vertex) / (0.02 * problem_.object.size()));
+  }
+  const int count = static_cast<int>(std::ceil(std::min(looks, kMostLooks)));
+  const std::size_t known = faults_.size();
+  for (int i = 1; i < count && faults_.size() == known; ++i) {
+    const double t = static_cast<double>(i) / count;
+    const auto r = arc * parts + static_cast<std::size_t>(t * static_cast<double>(parts));
+    check_world(world, place(s, r) + " or beside it", row,
+                along_screw(segment(s).X_WO[arc], twist_O, t));
   }
 }
 

@@ -51,7 +51,7 @@ double PlacementCosts::cost(int pose, int move) {
   const int kind = graph_.kind(pose, move);
   if (kind < 0) return kInfinity;
   const double value = weight(kind).value;
-  if (value == kInfinity) return kInfinity;
+  if (value == kInfinity || !is_arc_clear(graph_, pose, move, placement_)) return kInfinity;
   return displacements_[ix(graph_.motion(pose, move))] * value;
 }
 

@@ -51,7 +51,8 @@ void Displacements::add(const PoseGraph& graph, int location) {
   double least = kInfinity;
   for (std::size_t i = 0; i < arcs_; ++i) {
     const int arc = static_cast<int>(i);
-    const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location);
+    const bool is_clear = graph.is_clear(arc, location) && graph.is_clear(arc + 1, location) &&
+                          graph.is_arc_clear(arc, 0, location);
     parts_.push_back(is_clear ? graph.displacement(arc, location) : kInfinity);
     before[i + 1] = before[i] + parts_.back() * P;
     least = std::min(least, parts_.back() * P);

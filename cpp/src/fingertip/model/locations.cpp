@@ -280,6 +280,10 @@ bool Clearance::is_clear(const Eigen::Vector3d& center_W) {
     const double height = plane.n_W.dot(center_W) - plane.offset;
     if (height < problem_.fingers.radius - kTouchSlack * problem_.object.size()) return false;
   }
+  return is_off_obstacles(center_W);
+}
+
+bool Clearance::is_off_obstacles(const Eigen::Vector3d& center_W) {
   if (sphere_ < 0) return true;
   for_sphere_.set_pose(sphere_, Eigen::Isometry3d(Eigen::Translation3d(center_W)));
   return !for_sphere_.collides();

@@ -73,6 +73,7 @@ class Clearance {
 
   /// A sphere with its centre there; it may touch a plane.
   bool is_clear(const Eigen::Vector3d& center_W);
+  bool is_off_obstacles(const Eigen::Vector3d& center_W);
   /// The obstacle that the object touches at a pose; empty: none.
   std::string obstacle_at(const Eigen::Isometry3d& X_WO);
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -79,8 +80,9 @@ class PoseGraph {
     if (known < 0) known = clearance_.is_clear(center_W(pose, location)) ? 1 : 0;
     return known != 0;
   }
-  bool is_free(int pose) const;        // the object, of walls and obstacles
-  void block(int pose, int location);  // keeps fingertips from a location
+  bool is_arc_clear(int pose, int move, int location) const;  // the sphere, of obstacles
+  bool is_free(int pose) const;                               // the object, of walls and obstacles
+  void block(int pose, int location);                         // keeps fingertips from a location
 
   std::int64_t memory() const;                                                // [bytes]
   static double memory_needed(const Lattice& lattice, double num_locations);  // at most
@@ -96,6 +98,9 @@ class PoseGraph {
   void add_motion(const mechanics::Vector6d& twist_O);
   void make_clearance_table();
   void keep_to_start();
+  bool is_object_clear(int pose, int move) const;
+  bool is_along(int pose, int move, double pieces,
+                const std::function<bool(const Eigen::Isometry3d&)>& test) const;
   int find_kind(int pose, int move) const;
   int add_kind(const std::vector<mechanics::BodyState>& states) const;
 
@@ -119,6 +124,8 @@ class PoseGraph {
 
 /// True if the fingers may be there at a pose: each clear, and all apart.
 bool is_feasible(const PoseGraph& graph, int pose, const Placement& placement);
+/// True if all fingers are clear of obstacles along an arc.
+bool is_arc_clear(const PoseGraph& graph, int pose, int move, const Placement& placement);
 /// True if a finger may be put down beside those of a placement.
 bool has_room(const PoseGraph& graph, int pose, const Placement& placement, int location);
 

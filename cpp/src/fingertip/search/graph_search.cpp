@@ -165,7 +165,7 @@ class GraphSearchRun {
 
   double evaluate(int pose, int move, const Placement& placement) {
     const int kind = graph_.kind(pose, move);
-    if (kind < 0) return kInfinity;
+    if (kind < 0 || !is_arc_clear(graph_, pose, move, placement)) return kInfinity;
     z_.clear();
     for (const int instant : graph_.instants(kind)) {
       z_.push_back(evaluator_.stability(instant, placement));

@@ -8,47 +8,16 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/cycles/bucket_queue.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
 constexpr double kSamePoint = 1e-12;  // [m]
 constexpr double kSlack = 1 - 1e-12;  // of lower bounds, for rounding
-constexpr int kParts = 16;            // buckets that the longest arc spans
+constexpr int kParts = 64;            // buckets that the longest arc spans
 
 std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-
-struct Entry {
-  double distance;
-  int pose;
-};
-
-/// Poses by ascending distance, but in any order within a bucket (Dial's queue): no entry is more
-/// than the longest arc behind the first.
-class Buckets {
- public:
-  explicit Buckets(double longest_arc)
-      : width_(longest_arc > 0 ? longest_arc / kParts : 1), buckets_(kParts + 3) {}
-
-  void push(const Entry& entry) {
-    at(static_cast<std::size_t>(entry.distance / width_)).push_back(entry);
-    ++size_;
-  }
-  Entry pop() {
-    while (at(first_).empty()) ++first_;
-    const Entry entry = at(first_).back();
-    at(first_).pop_back();
-    --size_;
-    return entry;
-  }
-  bool empty() const { return size_ == 0; }
-
- private:
-  std::vector<Entry>& at(std::size_t i) { return buckets_[i % buckets_.size()]; }
-
-  double width_;
-  std::vector<std::vector<Entry>> buckets_;
-  std::size_t first_ = 0, size_ = 0;
-};
 
 }  // namespace
 
@@ -80,7 +49,7 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
   for (int motion = 0; motion < graph_.num_motions(); ++motion) {
     arcs.push_back(graph_.options.samples_per_arc * graph_.displacement(motion, location));
   }
-  Buckets queue(arcs.empty() ? 0 : *std::max_element(arcs.begin(), arcs.end()));
+  geometry::BucketQueue queue(*std::max_element(arcs.begin(), arcs.end()) / kParts);
   std::vector<double> distances(ix(graph_.num_poses()), kInfinity);
   const auto push = [&](int pose, double distance) {
     double& known = distances[ix(pose)];
@@ -92,16 +61,17 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
       if (distance + straight >= limit) return;
     }
     known = distance;
-    queue.push({distance, pose});
+    queue.push(distance, pose);
   };
   push(graph_.goal(), 0);
-  while (!queue.empty()) {
+  geometry::BucketQueue::Item item{};
+  while (queue.pop(item)) {
     poll();
-    const Entry entry = queue.pop();
-    if (entry.distance > distances[ix(entry.pose)] || !graph_.is_free(entry.pose)) continue;
+    const int pose = item.vertex;
+    if (item.key > distances[ix(pose)] || !graph_.is_free(pose)) continue;
     for (int move = 0; move < graph_.num_moves(); ++move) {
-      const int from = graph_.previous(entry.pose, move);
-      if (from >= 0) push(from, entry.distance + arcs[ix(graph_.motion(from, move))]);
+      const int from = graph_.previous(pose, move);
+      if (from >= 0) push(from, item.key + arcs[ix(graph_.motion(from, move))]);
     }
   }
   return distances;
