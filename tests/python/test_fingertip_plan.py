@@ -395,3 +395,16 @@ def test_check_sees_an_obstacle_between_rows():
     text = plan.to_json().replace("0.9,", "0.0333,", 1)
     faults = graspless.check(read_plan(text, "blocked.json"))
     assert any("obstacle 'bar'" in fault for fault in faults)
+
+
+def test_a_goal_is_not_reached_through_an_obstacle():
+    text = """kind: fingertip
+object: {box: [0.10, 0.06, 0.02], mass: 0.2}
+fingers: {radius: 0.005}
+friction: 0.2
+obstacles: [{name: slab, box: [0.005, 3, 1], pose: {position: [0.30, 0, 0]}}]
+motion: {goal: {pose: {position: [0.9, 0, 0.01]}, slide_step: 0.9}}
+"""
+    plan = graspless.plan(read_task(text, "slab.yaml"))
+    assert not plan
+    assert "slab" in plan.reason

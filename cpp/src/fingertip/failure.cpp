@@ -11,6 +11,7 @@
 #include "graspless/collision/world.hpp"
 #include "graspless/watch.hpp"
 
+#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 #include "fingertip/search/heuristic.hpp"

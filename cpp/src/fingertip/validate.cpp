@@ -12,6 +12,7 @@
 #include "graspless/mechanics/contact_patch.hpp"
 #include "graspless/watch.hpp"
 
+#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/model/screw.hpp"
@@ -110,7 +111,6 @@ using mechanics::Vector6d;
 
 constexpr std::size_t kMaxPoses = 100000;
 constexpr double kMaxTurn = 3.0;  // of one arc [rad]: half a turn leaves the way open
-constexpr double kStep = 0.02, kMostSteps = 3000;  // of the object's size; of one arc
 constexpr double kOnLattice = 1e-6;
 constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
 
@@ -143,20 +143,6 @@ void check_standing(const Problem& problem, Clearance& clearance, const Eigen::I
   if (!obstacle.empty()) refuse(where, "the object touches " + obstacle);
 }
 
-/// Refuses an obstacle on the way between two poses of a path. No point of the object moves by more
-/// than a fiftieth of its size between two looks.
-void check_way(const Problem& problem, Clearance& clearance, const Eigen::Isometry3d& X_WO,
-               const Vector6d& twist_O, const std::string& where) {
-  if (problem.obstacles.empty()) return;
-  const double way = longest_way(twist_O, problem.object.hull()) / problem.object.size();
-  const int steps = static_cast<int>(std::min(kMostSteps, way / kStep)) + 1;
-  for (int i = 1; i < steps; ++i) {
-    const std::string obstacle =
-        clearance.obstacle_at(along_screw(X_WO, twist_O, static_cast<double>(i) / steps));
-    if (!obstacle.empty()) refuse(where, "the object touches " + obstacle + " on the way");
-  }
-}
-
 void check_path(const Problem& problem, Clearance& clearance, const Path& path) {
   const auto& X_WO = path.X_WO;
   if (X_WO.size() < 2 || X_WO.size() > kMaxPoses) {
@@ -179,7 +165,8 @@ void check_path(const Problem& problem, Clearance& clearance, const Path& path) 
       check_state(problem, moving_state(along_screw(X_WO[i], twist_O, part), twist_O), where);
     }
     check_standing(problem, clearance, X_WO[i + 1], at(i + 1));
-    check_way(problem, clearance, X_WO[i], twist_O, where);
+    const std::string obstacle = clearance.obstacle_along(X_WO[i], twist_O);
+    if (!obstacle.empty()) refuse(where, "the object touches " + obstacle + " on the way");
   }
 }
 

@@ -151,9 +151,12 @@ std::string GoalSearch::fault(const Path& path) {
           j == 0 ? path.X_WO[i] : along_screw(path.X_WO[i], twist_O, (j - 0.5) / P);
       const std::string plane = plane_entered(context_.problem, X_WO);
       if (!plane.empty()) return "the object would enter plane '" + plane + "'";
-      const std::string obstacle = clearance_.obstacle_at(X_WO);
-      if (!obstacle.empty()) return "the object would touch '" + obstacle + "'";
     }
+    std::string obstacle = clearance_.obstacle_at(path.X_WO[i]);
+    if (obstacle.empty() && !is_last) {
+      obstacle = clearance_.obstacle_along(path.X_WO[i], twist_O, P);
+    }
+    if (!obstacle.empty()) return "the object would touch '" + obstacle + "'";
   }
   return "";
 }

@@ -10,6 +10,7 @@
 #include "graspless/fingertip/fingertip.hpp"
 
 #include "fingertip/goal/contact_states.hpp"
+#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
 

@@ -9,7 +9,6 @@
 
 #include <Eigen/Core>
 
-#include "graspless/collision/world.hpp"
 #include "graspless/fingertip/fingertip.hpp"
 #include "graspless/fingertip/problem.hpp"
 #include "graspless/mechanics/contact.hpp"
@@ -64,23 +63,6 @@ class Locations {
   std::vector<int> start_;
   std::vector<mechanics::FingerWrenches> wrenches_;
   double min_distance2_ = 0, max_distance2_ = 0;
-};
-
-/// Tests that a fingertip's sphere, or the object, is clear of planes and obstacles.
-class Clearance {
- public:
-  explicit Clearance(const Problem& problem);
-
-  /// A sphere with its centre there; it may touch a plane.
-  bool is_clear(const Eigen::Vector3d& center_W);
-  bool is_off_obstacles(const Eigen::Vector3d& center_W);
-  /// The obstacle that the object touches at a pose; empty: none.
-  std::string obstacle_at(const Eigen::Isometry3d& X_WO);
-
- private:
-  const Problem& problem_;
-  collision::World for_sphere_, for_object_;
-  int sphere_ = -1, object_ = -1;
 };
 
 /// How fast a sphere's centre moves with the object's twist [m per unit of time].

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -17,10 +16,6 @@
 
 namespace graspless::fingertip {
 namespace {
-
-// Steps between two looks at obstacles, as parts of a fingertip's radius and of the object's size.
-constexpr double kOfRadius = 0.5, kOfSize = 0.02;
-constexpr double kMostPieces = 1001;  // of a sample's part of an arc
 
 /// Adds a state's instant; names the pose if that is refused.
 int add_at(Instants& instants, const mechanics::BodyState& state, std::size_t pose,
@@ -142,33 +137,8 @@ void PoseGraph::block(int pose, int location) {
 }
 
 bool PoseGraph::is_arc_clear(int pose, int move, int location) const {
-  if (problem_.obstacles.empty()) return true;
-  const double part = displacement(motion(pose, move), location);
-  return is_along(pose, move, part / (kOfRadius * problem_.fingers.radius), [&](const auto& X_WO) {
-    return clearance_.is_off_obstacles(X_WO * locations[location].center_O);
-  });
-}
-
-bool PoseGraph::is_object_clear(int pose, int move) const {
-  if (problem_.obstacles.empty()) return true;
-  const double part = longest_way(twist_O_[ix(motion(pose, move))], problem_.object.hull()) /
-                      options.samples_per_arc;
-  return is_along(pose, move, part / (kOfSize * problem_.object.size()),
-                  [&](const auto& X_WO) { return clearance_.obstacle_at(X_WO).empty(); });
-}
-
-/// True if a test passes along an arc: at its samples, and at as many poses between two of them as
-/// make at least `pieces`.
-bool PoseGraph::is_along(int pose, int move, double pieces,
-                         const std::function<bool(const Eigen::Isometry3d&)>& test) const {
-  // The poses are the samples, too, if their number in each part is odd.
-  const int each = 2 * static_cast<int>(std::ceil((std::min(pieces, kMostPieces) - 1) / 2)) + 1;
-  const int count = options.samples_per_arc * std::max(1, each);
-  const mechanics::Vector6d& twist_O = twist_O_[ix(motion(pose, move))];
-  for (int i = 0; i < count; ++i) {
-    if (!test(along_screw(X_WO(pose), twist_O, (i + 0.5) / count))) return false;
-  }
-  return true;
+  return clearance_.is_off_obstacles_along(X_WO(pose), twist_O_[ix(motion(pose, move))],
+                                           locations[location].center_O, options.samples_per_arc);
 }
 
 bool PoseGraph::is_free(int pose) const {
@@ -182,9 +152,10 @@ bool PoseGraph::is_free(int pose) const {
 
 int PoseGraph::find_kind(int pose, int move) const {
   const int to = next(pose, move);
-  if (to < 0 || !is_free(pose) || !is_free(to) || !is_object_clear(pose, move)) return -1;
+  if (to < 0 || !is_free(pose) || !is_free(to)) return -1;
   const mechanics::Vector6d& twist = twist_O_[ix(motion(pose, move))];
   const int P = options.samples_per_arc;
+  if (!clearance_.obstacle_along(X_WO(pose), twist, P).empty()) return -1;
   std::vector<mechanics::BodyState> states;
   bool touches = false;
   for (int j = 0; j < P; ++j) {

@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <vector>
 
+#include "fingertip/model/clearance.hpp"
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
 
@@ -98,9 +98,6 @@ class PoseGraph {
   void add_motion(const mechanics::Vector6d& twist_O);
   void make_clearance_table();
   void keep_to_start();
-  bool is_object_clear(int pose, int move) const;
-  bool is_along(int pose, int move, double pieces,
-                const std::function<bool(const Eigen::Isometry3d&)>& test) const;
   int find_kind(int pose, int move) const;
   int add_kind(const std::vector<mechanics::BodyState>& states) const;
 

@@ -5,7 +5,6 @@
 // after another.
 #include "fingertip/model/screw.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -68,13 +67,6 @@ Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WO, const Vector6d& twi
   step.linear() += a * W + b * W * W;
   step.translation() = v + b * w.cross(v) + c * w.cross(w.cross(v));
   return X_WO * step;
-}
-
-double longest_way(const mechanics::Vector6d& twist_O, const Eigen::Matrix3Xd& points) {
-  const Eigen::Vector3d v = twist_O.head<3>(), w = twist_O.tail<3>();
-  double longest = 0;
-  for (const auto& p : points.colwise()) longest = std::max(longest, (v + w.cross(p)).norm());
-  return longest;
 }
 
 mechanics::BodyState moving_state(const Eigen::Isometry3d& X_WO, const Vector6d& twist_O) {

@@ -17,9 +17,6 @@ mechanics::Vector6d screw_between(const Eigen::Isometry3d& X_WO,
 Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WO, const mechanics::Vector6d& twist_O,
                               double part);
 
-/// Length of the way of the point that goes farthest along a screw, of `points` (3, N) in O [m].
-double longest_way(const mechanics::Vector6d& twist_O, const Eigen::Matrix3Xd& points);
-
 /// An object at this pose that moves with a body twist.
 mechanics::BodyState moving_state(const Eigen::Isometry3d& X_WO,
                                   const mechanics::Vector6d& twist_O);
