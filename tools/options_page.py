@@ -19,7 +19,8 @@ Made by `make stubs` from the tables in the C++ headers: change those, not this 
 name the options under `options`, those of the budget under `budget`, those of joint paths under
 `realize`, and those of the hand under `hand`. Defaults are those of C++ and Python; in a task,
 [`hand`](../task-files.md#hand) must name `finger_model` with the fields that it needs, and may
-have a `pitch`. Symbols and equations are those of the planner's paper ([notation](../notation.md)).
+have a `pitch`, and `seconds` must be finite. Symbols and equations are those of the planner's paper
+([notation](../notation.md)).
 """
 
 SECTIONS = [

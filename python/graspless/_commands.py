@@ -59,7 +59,7 @@ def given_packages(options: argparse.Namespace) -> dict[str, str]:
 def read_stdin() -> str:
     """Returns all of stdin; raises TaskError unless it is text."""
     try:
-        return sys.stdin.buffer.read().decode("utf-8")
+        return sys.stdin.buffer.read().decode("utf-8-sig")
     except (OSError, AttributeError):  # closed
         raise TaskError("stdin: cannot be read") from None
     except UnicodeDecodeError:

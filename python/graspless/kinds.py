@@ -26,3 +26,14 @@ def part(room: str, kind: str, *inside: str) -> Any:
 def plan_type(kind: str) -> Any:
     """Returns the type of a kind's plans: slide.Plan, ..."""
     return importlib.import_module(f".{kind}", __package__).Plan
+
+
+def missing_motion(plan: Any) -> str:
+    """Returns the first part of a plan that has no rows; an empty text if all have some."""
+    for stage in getattr(plan, "stages", [plan]):
+        if not stage.segments:
+            return f"segments: []: the {stage.kind} plan has none"
+        for segment in stage.segments:
+            if not len(segment):
+                return f"segment '{segment.name}' of the {stage.kind} plan has no rows"
+    return ""

@@ -332,6 +332,17 @@ def test_check_finds_a_gap_of_the_joints(document, tmp_path):
     assert any("stage 1 'lift': a joint starts " in fault for fault in faults)
 
 
+@pytest.mark.parametrize("stage", [0, 1])
+def test_check_finds_a_stage_without_motion(document, tmp_path, stage):
+    segments = document["stages"][stage]["segments"]
+    segments[-1]["positions"], segments[-1]["object_poses"] = [], []
+    faults = graspless.check(reread(document, tmp_path / "rows.json"))
+    assert any(f"'{segments[-1]['name']}' of the" in fault for fault in faults)
+    segments.clear()
+    faults = graspless.check(reread(document, tmp_path / "segments.json"))
+    assert any("plan has none" in fault for fault in faults)
+
+
 def test_check_finds_another_task(document, tmp_path):
     document["task"]["stages"][1]["line"]["distance"] = 0.2
     faults = graspless.check(reread(document, tmp_path / "plan.json"))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fingertip task files: what is read, and what is said about each fault."""
 
+import contextlib
 import math
 import re
 
@@ -10,7 +11,7 @@ import pytest
 
 import graspless
 from fingertip_common import PUSH, TUMBLE, changed
-from graspless import fingertip, frames
+from graspless import TaskError, fingertip, frames
 from graspless.tasks.fingertip.motions import angle_to_next_face, edge
 from tasks_common import fault
 
@@ -165,6 +166,21 @@ FAULTS = [
         r"motion.lattice: .*along x: the goal \(0.051000\) must be one of its values",
     ),
     (
+        (SLIDE, "lattice: {goal: {position: [0, 0, 0.025]}, lower: [0, 0, 0], upper: [0.1, 0, 0], counts: [11, 1, 1]}"),
+        9,
+        r"motion.lattice.goal: must differ from the start",
+    ),
+    (
+        (SLIDE, "goal: {pose: {position: [0, 0, 0.025]}}"),
+        9,
+        r"motion.goal.pose: must differ from the start",
+    ),
+    (
+        (SLIDE, "goal: {pose: {position: [0.05, 0, 0.1], rpy: [0.5, 0, 0]}}"),
+        9,
+        r"motion.goal.pose: ",
+    ),
+    (
         (SLIDE, "goal: {pose: {position: [0.05, 0, 0.5]}}"),
         9,
         r"motion.goal.pose: .*floats",
@@ -219,6 +235,18 @@ def test_mesh_in_millimetres_and_its_density(write, tmp_path):
     light = mesh.replace(", unit: mm", "").replace("density: 1000", "density: 0.1")
     with pytest.warns(UserWarning, match=r"object.mesh: is 50 x 100 x 50 m; .*unit: mm"):
         graspless.load_task(write(light))
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        ((SLIDE, "turn: {angle: 90}"), r":9: motion.turn.angle: 90: .*more than a turn; .*radians"),
+        (("radius: 0.01", "radius: 10"), r"fingers.radius: 10.*lengths are in metres"),
+    ],
+)
+def test_degrees_and_millimetres_are_warned_of(write, change, what):
+    with pytest.warns(UserWarning, match=what), contextlib.suppress(TaskError):
+        graspless.load_task(write(changed(*change)))
 
 
 def test_inertia_and_centre_of_mass(write):

@@ -13,6 +13,7 @@ import pytest
 import graspless
 from graspless import TaskError, files, frames, slide
 from graspless.plan_files.slide import SlidePlanFile
+from graspless.view import write_html
 from tasks_common import GOOD, changed, reread, without_clock
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -156,6 +157,20 @@ def test_broken_plan_files(document, tmp_path, change, what):
     with pytest.raises(TaskError, match=what) as caught:
         reread(broken, tmp_path / "plan.json")
     assert str(caught.value).startswith(str(tmp_path / "plan.json"))
+
+
+RUNS = {"time": graspless.time, "simulate": graspless.simulate, "show": write_html}
+
+
+@pytest.mark.parametrize("purpose", RUNS)
+@pytest.mark.parametrize("is_bare", [False, True], ids=["no_rows", "no_segments"])
+def test_a_plan_without_motion_is_not_run(document, tmp_path, purpose, is_bare):
+    kept = [] if is_bare else [s | {"positions": [], "object_poses": []} for s in document["segments"]]
+    (tmp_path / "plan.json").write_text(json.dumps(document | {"segments": kept}))
+    given = graspless.load_plan(tmp_path / "plan.json")
+    words = r"segments: \[\]: the slide plan has none" if is_bare else "'approach' .* has no rows"
+    with pytest.raises(TaskError, match=f"{words}: nothing to {purpose}"):
+        RUNS[purpose](given, *([tmp_path / "x.html"] if purpose == "show" else []))
 
 
 def test_budget_of_a_script_is_the_one_that_is_used(task, monkeypatch):

@@ -156,7 +156,7 @@ def test_a_time_limit_ends_trials_and_keeps_what_is_known(task, engine):
     assert plan
     assert not plan.proof
     assert (plan.proof.trials, plan.proof.asked, plan.proof.held) == (1, 3, 1)
-    text = "held in 1 of 1 trials (3 were asked for); the time limit was reached"
+    text = "held in 1 of 1 trial (3 were asked for); the time limit was reached"
     assert str(plan.proof) == text
     assert graspless.check(plan) == []
     limits.poll()  # the deadline is gone

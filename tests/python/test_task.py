@@ -50,6 +50,9 @@ FAULTS = [
     (("thickness:", "thicknes:"), 8, r"object.thicknes: unknown field; did you mean 'thickness'"),
     (("kind: slide", "kind: slid"), 1, r"kind: slid: should be 'slide'"),
     (("0.004", "thin"), 8, r"object.thickness: thin: should be a valid number"),
+    (("0.004", "0,004"), 8, r"object.thickness: 0,004: .* a point: 0.004"),
+    (("0.004", "'0.004'"), 8, r"object.thickness: '0.004': .*number, without quotes"),
+    ((HOME, "home: no"), 4, r"robot.home: false: .*put text in quotes"),
     (("0.004", "yes"), 8, r"object.thickness: true: should be a valid number"),
     (("0.004", "-0.004"), 8, r"object.thickness: -0.004: should be greater than 0"),
     ((CARD, "polygon: [[0, 0], [0.1, 0]]"), 7, r"object.polygon: .*at least 3 items"),
@@ -87,6 +90,11 @@ FAULTS = [
         more("obstacles: [{name: a, box: [1, 1, 1], sphere: {radius: 1}}]"),
         13,
         r"obstacles\[0\]: exactly one of .* not box and sphere",
+    ),
+    (
+        more("obstacles: [{name: left_finger, box: [1, 1, 1]}]"),
+        13,
+        r"obstacles\[0\]: 'left_finger' is taken by a link",
     ),
     (
         more("obstacles: [{name: a, box: [1, 1, 1]}, {name: a, box: [1, 1, 1]}]"),
@@ -214,10 +222,14 @@ def test_circle_has_as_many_corners_as_asked(write):
     assert len(task.problem.object.outline.vertices) == 12
 
 
-def test_mass_distribution_gives_the_center_of_mass(write):
+def test_mass_distribution_gives_mass_and_center(write):
     masses = "masses: [{position: [0, 0, 0], mass: 1}, {position: [0.02, 0.01, 0], mass: 3}]"
     task = graspless.load_task(write(changed("thickness: 0.004", f"thickness: 0.004\n  {masses}")))
     np.testing.assert_allclose(task.problem.object.com, [0.015, 0.0075, 0.0], atol=1e-15)
+    assert task.problem.object.mass == 4
+    other = f"thickness: 0.004\n  {masses}\n  mass: 3"
+    wrong = fault(write(changed("thickness: 0.004", other)))
+    assert "task.yaml:10: object.mass: 3: should be 4, the sum of masses" in wrong
 
 
 def test_center_of_mass_in_the_plane_keeps_its_height(write):

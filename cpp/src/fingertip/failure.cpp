@@ -3,9 +3,10 @@
 //
 // Reasons why a route was not found: geometry, stability or time.
 #include <algorithm>
-#include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graspless/collision/world.hpp"
@@ -14,7 +15,6 @@
 #include "fingertip/model/clearance.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
-#include "fingertip/search/heuristic.hpp"
 #include "planning/plan_within.hpp"
 
 namespace graspless::fingertip {
@@ -59,13 +59,34 @@ void blame_geometry_of_path(const PoseGraph& graph, Plan& plan) {
       std::to_string(pose) + " of " + std::to_string(graph.num_arcs());
 }
 
+/// True if the object alone can move from start to goal. Poses near the goal come first.
+bool leads_to_goal(const PoseGraph& graph) {
+  const Eigen::Vector3d p_W = graph.X_WO(graph.goal()).translation();
+  std::set<std::pair<double, int>> open;  // distance to the goal, pose
+  std::vector<bool> is_known(static_cast<std::size_t>(graph.num_poses()));
+  const auto push = [&](int pose) {
+    if (pose < 0 || is_known[static_cast<std::size_t>(pose)]) return;
+    is_known[static_cast<std::size_t>(pose)] = true;
+    open.emplace((graph.X_WO(pose).translation() - p_W).norm(), pose);
+  };
+  push(graph.start());
+  while (!open.empty()) {
+    poll();
+    const int pose = open.extract(open.begin()).value().second;
+    if (pose == graph.goal()) return true;
+    for (int move = 0; move < graph.num_moves(); ++move) {
+      if (graph.next(pose, move) >= 0 && graph.kind(pose, move) >= 0) push(graph.next(pose, move));
+    }
+  }
+  return false;
+}
+
 void blame_geometry_of_lattice(const PoseGraph& graph, Plan& plan) {
   int num_clear = 0;
   for (int l = 0; l < graph.locations.size(); ++l) {
     if (graph.is_clear(graph.start(), l) && graph.is_clear(graph.goal(), l)) ++num_clear;
   }
-  const bool is_open = graph.locations.size() > 0 &&
-                       std::isfinite(RemainingDistance(graph).to_goal(0)[graph.start()]);
+  const bool is_open = leads_to_goal(graph);
   if (is_open && num_clear >= graph.num_fingers) return;
   plan.status = Status::no_location;
   if (!is_open) {

@@ -188,7 +188,7 @@ std::string reason(Query& query, const Plan& plan) {
   const bool pairs = plan.status == Status::no_valid_pair;
   // Without the time: the same seed and iterations give the same file.
   const std::string refused = " within " + std::to_string(plan.statistics.iterations) +
-                              " iterations" +
+                              (plan.statistics.iterations == 1 ? " iteration" : " iterations") +
                               (plan.statistics.refusals.empty()
                                    ? ""
                                    : "; most frequent rejections: " + most_frequent(query, pairs));

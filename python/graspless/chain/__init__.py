@@ -15,6 +15,7 @@ import numpy as np
 from .._any_plan import AnyPlan
 from .._named import Named
 from ..errors import TaskError
+from ..kinds import missing_motion
 from ..plan_files import plan_of
 from ..plan_files.chain import Join, Segment
 from ..plan_files.text import document_of
@@ -139,6 +140,9 @@ class Plan(AnyPlan):
         for k, (name, stage) in enumerate(zip(self.names, self.stages, strict=True)):
             own = stage._faults() if stage else [f"not solved: {stage.reason}"]
             faults += [f"stage {k} '{name}': {fault}" for fault in own]
+        missing = missing_motion(self)
+        if missing:
+            return [*faults, f"plan: {missing}"]
         asked = self.task.problem.stages
         return faults + check_joins(asked, self.names, self.stages, self.joins, self.contents)
 

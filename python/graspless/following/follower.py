@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import TaskError
-from ..plan_files import as_plan
+from ..plan_files import as_motion, as_plan
 from .course import limits_of
 from .deviation import IN_CONTACT
 from .pursuit import ELSEWHERE, HOPELESS, RETREAT, Pursuit
@@ -68,8 +68,7 @@ class Follower(Pursuit):
         found: Any = as_plan(plan)
         if found.kind != "slide":
             raise TaskError(f"plan: {found.kind}: only slide plans can be followed")
-        if not found:
-            raise TaskError(f"the plan's status is {found.status}, not solved: nothing to follow")
+        as_motion(found, "follow")
         problem = found.task.problem
         if problem.X_WO_end is not None:
             raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")

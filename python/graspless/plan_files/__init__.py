@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .._any_plan import AnyPlan
 from .._arguments import require_path
 from ..errors import TaskError, told
-from ..kinds import plan_type
+from ..kinds import missing_motion, plan_type
 from ..tasks.kind import task_kind
 from ..tasks.reading import parse_yaml, read_text
 from ..tasks.source import MOST_DIGITS, Source
@@ -47,6 +47,24 @@ def as_plan(plan: Plan | str | Path) -> Plan:
         given: Any = plan
         return given  # type: ignore[no-any-return]
     return load_plan(require_path("plan", plan, "a graspless.Plan"))
+
+
+def as_motion(plan: Plan | str | Path, purpose: str, *statuses: str) -> Plan:
+    """Returns a plan that moves something, or reads it from its file.
+
+    Raises
+    ------
+    TaskError
+        The plan is neither solved nor has one of the other `statuses`; or it has no segment, or
+        one without rows. The message ends with the purpose.
+    """
+    plan = as_plan(plan)
+    if not plan and plan.status not in statuses:
+        raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to {purpose}")
+    missing = missing_motion(plan)
+    if missing:
+        raise TaskError(f"{missing}: nothing to {purpose}")
+    return plan
 
 
 def read_plan(text: str, file: str) -> Plan:

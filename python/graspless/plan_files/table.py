@@ -59,7 +59,7 @@ class PlanFields(Table):
     kind: str
     version: str = Field(description="version of graspless that wrote the file")
     status: str
-    reason: str = Field(description="explanation in one sentence")
+    reason: str = Field(description="explanation in one sentence; a solved plan may have none")
     seed: int
     stats: dict[str, float | int | dict[str, int]] = Field(description="counters of the search")
     proof: ProofFields | None = Field(

@@ -75,8 +75,8 @@ class Proof:
 
     def __str__(self) -> str:
         if self:
-            return f"proven in {self.held} of {self.asked} trials"
-        parts = [f"held in {self.held} of {self.trials} trials"]
+            return f"proven in {self.held} of {_trials(self.asked)}"
+        parts = [f"held in {self.held} of {_trials(self.trials)}"]
         if self.trials < self.asked:
             parts[0] += f" ({self.asked} were asked for)"
         if self.failed:
@@ -89,6 +89,10 @@ class Proof:
     def failed(self) -> dict[str, int]:
         """Number of trials by kind of failure, the most frequent first."""
         return dict(Counter(name for trial in self.failures for name in trial).most_common())
+
+
+def _trials(number: int) -> str:
+    return "1 trial" if number == 1 else f"{number} trials"
 
 
 def digest_of(plan: Any) -> str:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import frames
 from . import refused, segment_details, segment_lines
 
 if TYPE_CHECKING:
@@ -32,10 +33,16 @@ def moved(plan: Plan) -> str:
     """Says in a few words how a solved plan moves its object."""
     problem = plan.task.problem
     start, goal = np.asarray(problem.object.X_WB), plan.segments[-1].object_poses[-1]
-    distance = f"{100 * float(np.linalg.norm(goal[:3, 3] - start[:3, 3])):.1f} cm"
-    if problem.places is None:
-        return f"carries the {problem.object.name} {distance} along a straight path"
-    return f"puts the {problem.object.name} down on {problem.places.on}, {distance} away"
+    name, length = problem.object.name, float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
+    distance = f"{100 * length:.1f} cm"
+    if problem.places is not None:
+        return f"puts the {name} down on {problem.places.on}, {distance} away"
+    w = abs(float(frames.to_quaternion(np.linalg.inv(start) @ goal)[0]))
+    angle = np.degrees(2 * np.arccos(min(w, 1.0)))
+    if length < 5e-4:
+        return f"turns the {name} by {angle:.0f} degrees"
+    turned = f", turning it by {angle:.0f} degrees" if angle >= 0.5 else ""
+    return f"carries the {name} {distance} along a straight path{turned}"
 
 
 def lines_not_found(plan: Plan) -> list[str]:

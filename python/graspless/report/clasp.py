@@ -106,7 +106,8 @@ def _caged(found: Certificate) -> str:
     if not any(found.between):
         return "not proven to be caged: no ring of the hand is linked with the loop"
     first, second = found.between
-    thick = f"a loop {1000 * found.thickness:.1f} mm thick"
+    known = found.thickness > 0
+    thick = f"a loop {1000 * found.thickness:.1f} mm thick" if known else "a loop of unknown thickness"
     gap = f"the gap of {1000 * found.gap:.1f} mm between {first} and {second}"
     opening = f"opening {1000 * found.lower:.1f} to {1000 * found.upper:.1f} mm"
     if found.caged:

@@ -16,7 +16,7 @@ import numpy as np
 from .._arguments import require_integer
 from ..errors import TaskError, install_command, missing
 from ..kinds import part
-from ..plan_files import as_plan
+from ..plan_files import as_motion
 from .results import Recording, Simulation, Trial
 from .settings import Spread
 from .variation import Variation, variations
@@ -90,13 +90,11 @@ def simulate(
     Raises
     ------
     TaskError
-        The plan is not solved, trials is not a whole number of at least 1, seed is not one of at
-        least 0, the plan is no slide but closed_loop or condition is given, there is no such
-        condition, or MuJoCo is not installed.
+        The plan is not solved or has a segment without rows, trials is not a whole number of at
+        least 1, seed is not one of at least 0, the plan is no slide but closed_loop or condition is
+        given, there is no such condition, or MuJoCo is not installed.
     """
-    plan = as_plan(plan)
-    if not plan:
-        raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to simulate")
+    plan = as_motion(plan, "simulate")
     trials = require_integer("trials", trials, least=1)
     seed = require_integer("seed", seed, least=0)
     kind: Any = simulation_kind(plan.kind)

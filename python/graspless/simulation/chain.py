@@ -23,7 +23,7 @@ import numpy as np
 from .. import timing
 from ..errors import TaskError
 from ..tasks import scenes
-from . import moved
+from . import moved, pinch
 from .carries import OPEN, RETREAT, with_carries
 from .clasp import carried
 from .results import Trial
@@ -107,7 +107,8 @@ def _executed(
     if stages[0].kind == "clasp":
         return carried.run(stages, variation, record=record)
     if len(stages) == 1:
-        return execute(stages[0], variation, record=record, settings=settings)
+        alone: Any = pinch.run if stages[0].kind == "pinch" else execute
+        return alone(stages[0], variation, record=record, settings=settings)
     start = time.perf_counter()
     execution = _Carried(stages, variation, settings or Slide(), truth)
     if record:
@@ -116,7 +117,7 @@ def _executed(
     return Trial(
         variation,
         tuple(execution.judge.failures),
-        execution.measures,
+        pinch.measured(execution.measures) if stages[0].kind == "pinch" else execution.measures,
         time.perf_counter() - start,
         _with_plan(execution.recording(), stages) if record else None,
     )

@@ -7,6 +7,7 @@ The object stands on its support until the hand has closed, and is then lifted b
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from .settings import SLIDE_SPREAD, Slide
@@ -19,12 +20,11 @@ if TYPE_CHECKING:
     from .results import Trial
     from .variation import Variation
 
-OF_SLIDES = ("overhang", "mean_force", "max_force")
+OF_SLIDES = ("overhang", "mean_force", "max_force", "shift_by_lift")
 MEASURES = {name: text for name, text in SLIDE_MEASURES.items() if name not in OF_SLIDES}
 MEASURES |= {
     "position_error": "distance that the closing fingers moved the object [m]",
     "angle_error": "angle that the closing fingers turned the object by [rad]",
-    "shift_by_lift": "distance that the object moved between closing and grasp [m]",
 }
 FAILURES = {name: text for name, text in SLIDE_FAILURES.items() if name != "tip_lost"}
 SPREAD = SLIDE_SPREAD
@@ -35,9 +35,12 @@ def run(
 ) -> Trial:
     """Executes a solved plan; `settings` are for tests."""
     trial = execute(plan, variation, record=record, settings=settings)
-    for name in OF_SLIDES:
-        trial.measures.pop(name, None)
-    return trial
+    return replace(trial, measures=measured(trial.measures))
+
+
+def measured(measures: dict[str, float]) -> dict[str, float]:
+    """Returns the measures of an execution without those that only slides have."""
+    return {name: value for name, value in measures.items() if name not in OF_SLIDES}
 
 
 __all__ = ["FAILURES", "MEASURES", "SPREAD", "run", "start"]

@@ -18,7 +18,7 @@ MOST_NODES = 10**6  # of YAML, after its aliases are replaced by what they stand
 def read_text(path: str | Path) -> str:
     """Returns the text of a file. Raises TaskError if it cannot be read."""
     try:
-        return Path(path).read_text(encoding="utf-8")
+        return Path(path).read_text(encoding="utf-8-sig")  # Windows editors write a byte order mark
     except OSError as error:
         raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:

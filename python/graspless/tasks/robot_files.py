@@ -165,13 +165,16 @@ def _read_xml(
     try:
         if path.suffix == ".xacro":
             return _expand_xacro(path, arguments, packages, source.is_trusted)
-        return path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8")
     except OSError as error:
         raise source.error(location, f"cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise source.error(location, "is not a text file in UTF-8") from None
     except ValueError as error:
         raise source.error(location, str(error)) from None
+    if not text.strip():
+        raise source.error(location, "is empty")
+    return text
 
 
 def _expand_xacro(

@@ -128,16 +128,25 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
     """Returns the robot of resolved fields; warns of what was ignored in its files."""
     field = given_field(source)
     with at(source, "robot", field):
-        built = _built(robot)
+        try:
+            built = _built(robot)
+        except ValueError as error:
+            raise source.error(_place(str(error), source), str(error)) from None
     if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
         more = (
             f" and {len(built.warnings) - 1} more (Robot.warnings)"
             if len(built.warnings) > 1
             else ""
         )
-        text = source.message(("robot", field), f"{built.warnings[0]}{more}")
+        text = source.message(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
         warnings.warn(text, stacklevel=4)
     return built
+
+
+def _place(fault: str, source: Source) -> tuple[str, str]:
+    """Returns the field that names the file with a fault."""
+    is_srdf = fault.startswith("SRDF") and "srdf" in source.given("robot")
+    return "robot", "srdf" if is_srdf else given_field(source)
 
 
 def _built(robot: Robot) -> robots.Robot:

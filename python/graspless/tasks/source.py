@@ -120,8 +120,9 @@ class Source:
             value = self._look_up(place)[0]
             shown = f"{shorten(value)}: " if isinstance(value, list) else ""
             return self.message(place, f"{shown}should be a mapping{names}")
-        text = re.sub(r"^(Value error, |Input )", "", fault["msg"])
         value = self._look_up(place)[0]
+        text = re.sub(r"^(Value error, |Input )| after validation", "", fault["msg"])
+        text += _advice(kind, value)
         shown = f"{shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
         return self.message(place, shown + text[:1].lower() + text[1:])
 
@@ -141,6 +142,26 @@ def at(source: Source, *location: str | int) -> Iterator[None]:
         if named and named[1] == location[0]:  # the core names the field too
             raise source.error((named[1], named[2]), named[3]) from None
         raise source.error(location, text) from None
+
+
+def _advice(kind: str, value: Any) -> str:
+    """Returns what to write instead of a value of another type."""
+    if kind == "string_type" and isinstance(value, bool):
+        return "; YAML reads yes, no, on and off as true or false: put text in quotes"
+    if kind in ("float_parsing", "float_type", "int_parsing", "int_type"):
+        if isinstance(value, str) and re.fullmatch(r"[-+]?\d*,\d+", value):
+            return f"; decimals have a point: {value.replace(',', '.')}"
+        if isinstance(value, str) and _is_number(value):
+            return ", without quotes"
+    return ""
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _fields_at(model: Any, location: Location) -> set[str]:
@@ -182,7 +203,8 @@ def dotted(place: Location) -> str:
 def shorten(value: Any) -> str:
     """Returns a value in a message."""
     try:
-        text = value if isinstance(value, str) and value.isprintable() else repr(value)
+        is_word = isinstance(value, str) and value.isprintable() and not _is_number(value)
+        text = value if is_word else repr(value)
     except ValueError:  # more digits than Python writes
         return "a whole number" if isinstance(value, int) else "a list"
     if isinstance(value, bool):

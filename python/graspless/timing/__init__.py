@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from ..errors import TaskError, missing
 from ..kinds import part
-from ..plan_files import as_plan
+from ..plan_files import as_motion
 from .rates import Rate
 from .trajectory import Trajectory, require_sayable
 
@@ -86,15 +86,13 @@ def time(
     Raises
     ------
     TaskError
-        The plan is not solved; the robot has other joints; a limit is not positive, or so small
-        that the trajectory has more than 1e6 samples or takes more than 2^31 - 1 s; or toppra is
-        not installed.
+        The plan is not solved, or has a segment without rows; the robot has other joints; a limit
+        is not positive, or so small that the trajectory has more than 1e6 samples or takes more
+        than 2^31 - 1 s; or toppra is not installed.
     """
     from . import settings as defaults
 
-    plan = as_plan(plan)
-    if not plan and not (fingers and plan.status == "not_realized"):
-        raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to time")
+    plan = as_motion(plan, "time", *(["not_realized"] if fingers else []))
     rate = defaults.require_positive("rate", defaults.RATE if rate is None else rate)
     pause = defaults.require_positive("pause", defaults.PAUSE if pause is None else pause)
     if pause > defaults.LONGEST:

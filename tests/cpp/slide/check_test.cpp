@@ -93,6 +93,13 @@ TEST_F(Check, ALimit) {
   expect_fault("leaves the joint limits");
 }
 
+TEST_F(Check, AHandOutsideItsLimitsInEveryRow) {
+  for (Segment& part : plan_.segments) {
+    for (auto& q : part.positions) q[q.size() - 1] = 9;
+  }
+  expect_fault("leaves the joint limits");
+}
+
 TEST_F(Check, AnObjectThatMovesAlone) {
   segment("reach").object_poses[1].translation().x() += 0.001;
   expect_fault("moves though nothing slides it");

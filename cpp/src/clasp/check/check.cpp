@@ -161,7 +161,7 @@ void PlanChecker::check_closed_until_contact() {
 
 /// Repeats the planner's stability test, and runs another one, in which FCL decides.
 void PlanChecker::check_stability() {
-  const Stability found = test_stability(problem_, q_end(), plan_.loop, options_.stability);
+  const Stability found = test_stability(problem_, q_closed(), plan_.loop, options_.stability);
   if (found.secure != plan_.stability.secure || found.escapes != plan_.stability.escapes ||
       !(std::abs(found.margin - plan_.stability.margin) <= kTolerance) ||
       !(std::abs(found.withstands - plan_.stability.withstands) <= kTolerance * found.withstands) ||
@@ -171,7 +171,7 @@ void PlanChecker::check_stability() {
           "' opens");
   }
   if (!found.secure) check_pinch();
-  if (found.secure && comes_free(problem_, plan_.loop, q_end()))
+  if (found.secure && comes_free(problem_, plan_.loop, q_closed()))
     fault("plan", "the loop came out of the hand, though the stability test calls it secure");
 }
 
@@ -179,7 +179,7 @@ void PlanChecker::check_stability() {
 void PlanChecker::check_pinch() {
   const bool may = problem_.hand.fingers.size() == 1 && options_.friction > 0;
   const Pinch found =
-      may ? test_pinch(problem_, q_end(), options_.friction, options_.stability) : Pinch{};
+      may ? test_pinch(problem_, q_closed(), options_.friction, options_.stability) : Pinch{};
   if (found.holds != plan_.pinch.has_value() ||
       (found.holds && !(std::abs(found.strength - plan_.pinch->strength) <= kTolerance &&
                         std::abs(found.load - plan_.pinch->load) <= kTolerance))) {
@@ -193,7 +193,7 @@ void PlanChecker::check_pinch() {
 void PlanChecker::check_certificate() {
   if (!plan_.certificate) return;
   const Certificate& stated = *plan_.certificate;
-  const Certificate found = certificate(problem_, q_end(), plan_.loop, options_.certificate);
+  const Certificate found = certificate(problem_, q_closed(), plan_.loop, options_.certificate);
   const auto differ = [](double a, double b) { return !(std::abs(a - b) <= kTolerance); };
   if (found.caged != stated.caged || differ(found.lower, stated.lower) ||
       differ(found.upper, stated.upper) || differ(found.thickness, stated.thickness) ||

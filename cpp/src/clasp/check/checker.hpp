@@ -53,6 +53,8 @@ class PlanChecker {
   const Segment& reach() const { return plan_.segments[0]; }
   const Segment& close() const { return plan_.segments[1]; }
   const Eigen::VectorXd& q_end() const { return close().positions.back(); }
+  /// The closed hand within its limits: tests of it take no other.
+  Eigen::VectorXd q_closed() const { return problem_.robot.clamp(q_end()); }
   const Eigen::Matrix3Xd& loop_points() const;
 
   bool is_complete();

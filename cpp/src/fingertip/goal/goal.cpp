@@ -22,30 +22,6 @@ namespace {
 
 constexpr int kMaxSequences = 200;  // of one number of tumbles: a bound for hulls of many faces
 
-/// The face that the object stands on by itself.
-int standing_face(const Problem& problem, const ContactStates& states,
-                  const Eigen::Isometry3d& X_WO, const std::string& field) {
-  const Plane& floor = problem.planes.front();
-  const double tolerance = kContactTolerance * problem.object.size();
-  const int face = states.standing(X_WO, floor, tolerance);
-  if (face < 0) {
-    throw std::invalid_argument(field + " must have a face of the object's convex hull flush on '" +
-                                floor.name + "'");
-  }
-  if (!states[face].is_stable) {
-    throw std::invalid_argument(field + " must have the centre of mass over the face on '" +
-                                floor.name + "': there the object would tip over");
-  }
-  return face;
-}
-
-void require_motion(const Problem& problem, const Goal& goal) {
-  const Eigen::Isometry3d X = goal.X_WO_start.inverse() * goal.X_WO_goal;
-  if (X.linear().isIdentity(1e-9) && X.translation().norm() < 1e-9 * problem.object.size()) {
-    throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
-  }
-}
-
 Plan out_of_reach(int needed, const Goal& goal) {
   Plan plan;
   plan.status = Status::no_location;
@@ -84,9 +60,24 @@ std::string plane_entered(const Problem& problem, const Eigen::Isometry3d& X_WO)
 
 }  // namespace
 
+int standing_face(const Problem& problem, const ContactStates& states,
+                  const Eigen::Isometry3d& X_WO, const std::string& field) {
+  const Plane& floor = problem.planes.front();
+  const double tolerance = kContactTolerance * problem.object.size();
+  const int face = states.standing(X_WO, floor, tolerance);
+  if (face < 0) {
+    throw std::invalid_argument(
+        field + ": must have a face of the object's convex hull flush on '" + floor.name + "'");
+  }
+  if (!states[face].is_stable) {
+    throw std::invalid_argument(field + ": must have the centre of mass over the face on '" +
+                                floor.name + "': there the object would tip over");
+  }
+  return face;
+}
+
 Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock) {
   const Problem& problem = context.problem;
-  require_motion(problem, goal);
   const ContactStates states(problem.object);
   const int from = standing_face(problem, states, goal.X_WO_start, "motion.X_WO_start");
   const int to = standing_face(problem, states, goal.X_WO_goal, "motion.X_WO_goal");

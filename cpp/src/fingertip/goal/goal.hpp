@@ -21,9 +21,13 @@ namespace graspless::fingertip {
 /// (goal_paths); every path is searched as one of one degree of freedom by the engine of the
 /// options. The answer is the best over the paths with the fewest tumbles that can be done, and
 /// lower_bound holds for these paths. Where regrasps are needed, paths that could be cheaper by
-/// less than a thousandth are left out: lower_bound is that much below the cost then. Throws
-/// std::invalid_argument when the object does not stand on the floor by itself at start or goal.
+/// less than a thousandth are left out: lower_bound is that much below the cost then.
 Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock);
+
+/// The face that the object stands on by itself. Throws std::invalid_argument that begins with the
+/// field when it stands on none, or would tip over.
+int standing_face(const Problem& problem, const ContactStates& states,
+                  const Eigen::Isometry3d& X_WO, const std::string& field);
 
 /// The object's paths from start to goal that tumble over these edges, with slides and turns
 /// before, between and after them where the object stands by itself.

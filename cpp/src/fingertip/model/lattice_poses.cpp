@@ -96,8 +96,7 @@ class Grid {
     int k = yaw(pose) + step[2];
     if (x < 0 || x >= counts_[0] || y < 0 || y >= counts_[1]) return -1;
     if (wraps_) k = (k + counts_[2]) % counts_[2];
-    // With one or two yaws all the way round, a turn would lead back, or both ways to one yaw.
-    if (k < 0 || k >= counts_[2] || (wraps_ && counts_[2] < 3 && step[2] != 0)) return -1;
+    if (k < 0 || k >= counts_[2]) return -1;
     return (x * counts_[1] + y) * counts_[2] + k;
   }
 
@@ -123,9 +122,6 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
   const Grid grid(lattice);
   start_ = grid.index_of(lattice.X_WO_start);
   goal_ = grid.index_of(lattice.X_WO_goal);
-  if (start_ == goal_) {
-    throw std::invalid_argument("motion.X_WO_goal must differ from motion.X_WO_start");
-  }
   for (int pose = 0; pose < grid.num_poses(); ++pose) {
     poll();
     X_WO_.push_back(grid.X_WO(pose));

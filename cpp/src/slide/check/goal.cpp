@@ -256,7 +256,8 @@ void Examination::check_closing() {
   constexpr double kPrecision = 2e-4;  // of the joint that moves most, at the touch [rad or m]
   const Segment& close = segment("close");
   const Eigen::VectorXd open = close.positions.front();
-  Eigen::VectorXd stroke = problem_.robot.state(problem_.hand.closed, open) - open;
+  const Eigen::VectorXd within = problem_.robot.clamp(open);
+  Eigen::VectorXd stroke = problem_.robot.state(problem_.hand.closed, within) - open;
   for (int joint : problem_.robot.group(problem_.hand.arm)) stroke[joint] = 0;
   Eigen::Index fastest = 0;
   const double travel = stroke.cwiseAbs().maxCoeff(&fastest);

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from .truth import Truth
 
 MEASURES = {
-    "position_error": "position error of the object after the slide [m]",
-    "angle_error": "angle error of the object after the slide [rad]",
+    "position_error": "position error of the object before the grasp [m]",
+    "angle_error": "angle error of the object before the grasp [rad]",
     "overhang": "length of the object beyond the edge after the slide [m]",
     "mean_force": "mean force of the finger on the sliding object [N]",
     "max_force": "largest force of the finger on the sliding object [N]",

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from . import model
 
 LARGEST = 2.0  # [m]; nobody tumbles a larger object with fingertips
+LARGEST_FINGER = 0.5  # radius of a fingertip [m]
 
 
 def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
@@ -31,7 +32,7 @@ def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
     with at(source, "gravity"):
         problem = fingertip.Problem(
             object=thing,
-            fingers=build_fingers(task.fingers),
+            fingers=build_fingers(task.fingers, source),
             planes=planes,
             friction=build_friction(task.friction),
             motion=build_motion(task.motion, thing, planes[0], source),
@@ -95,8 +96,11 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
     return planes
 
 
-def build_fingers(fingers: model.Fingers) -> fingertip.Fingers:
+def build_fingers(fingers: model.Fingers, source: Source) -> fingertip.Fingers:
     """Returns the fingertips."""
+    if fingers.radius > LARGEST_FINGER:
+        what = "is the radius of a fingertip; lengths are in metres"
+        warnings.warn(source.message(("fingers", "radius"), what), stacklevel=5)
     span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
         **span,

@@ -80,11 +80,11 @@ class Lattice(Fields):
     goal: Pose = Field(description="pose of O in the world, on the lattice")
     lower: Point3 = Field(description="least x, y, yaw relative to the start [m, m, rad]")
     upper: Point3 = Field(description="largest x, y, yaw relative to the start [m, m, rad]")
-    counts: Annotated[list[Annotated[int, Field(ge=1)]], Field(min_length=3, max_length=3)] = [
-        30,
-        30,
-        30,
-    ]
+    counts: Annotated[list[Annotated[int, Field(ge=1)]], Field(min_length=3, max_length=3)] = Field(
+        default=[30, 30, 30],
+        description="number of values of x, y and yaw, with start and goal among them: 1 where "
+        "lower and upper are equal, an odd number where the start is in their middle",
+    )
 
 
 class Goal(Fields):

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -100,6 +101,9 @@ class _Walk:
         elif fields.pose is not None:
             what = "must not be given: a step starts where the one before it ended"
             raise self.source.error((*place, name, "pose"), what)
+        if abs(getattr(fields, "angle", None) or 0.0) > 2 * math.pi:
+            what = "is more than a turn; angles are in radians"
+            warnings.warn(self.source.message((*place, name, "angle"), what), stacklevel=6)
         with at(self.source, *place, name):
             path: fingertip.Path = getattr(self, f"_{name}")(fields, self.X_WO)
         self.X_WO = np.asarray(path.X_WO)[-1]

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -72,6 +74,9 @@ def build(
         for name, location in _LOCATIONS.items():
             if str(error).startswith(name):
                 raise source.error(location, str(error).removeprefix(f"{name}: ")) from None
+        named = re.match(r"obstacles\[(\d+)\]\.name (.*)", str(error))
+        if named is not None:
+            raise source.error(("obstacles", int(named[1])), named[2]) from None
         raise source.error(("object", "pose"), str(error)) from None
     return problem
 
@@ -131,9 +136,10 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             built = built.with_hollow(True)
         if thing.scale != 1:
             built = built.scaled(thing.scale)
-    if thing.mass is not None:
+    mass = _mass(thing, source)
+    if mass is not None:
         with at(source, "object", "mass"):
-            built = built.with_mass(thing.mass)
+            built = built.with_mass(mass)
     if thing.com is not None:
         with at(source, "object", "com"):
             com = thing.com if len(thing.com) == 3 else [*thing.com, built.com[2]]
@@ -144,6 +150,17 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             masses = np.array([part.mass for part in thing.masses])
             built = built.with_com(slide.center_of_mass(points, masses))
     return built
+
+
+def _mass(thing: model.Object, source: Source) -> float | None:
+    """Returns the mass, given or the sum of `masses` [kg]."""
+    if thing.masses is None:
+        return thing.mass
+    total = math.fsum(part.mass for part in thing.masses)
+    if thing.mass is not None and not math.isclose(thing.mass, total, rel_tol=1e-3):
+        what = f"should be {total:g}, the sum of masses, or left out"
+        raise source.error(("object", "mass"), what)
+    return total if thing.mass is None else thing.mass
 
 
 def build_heights(heights: model.Heights) -> geometry.HeightMap:

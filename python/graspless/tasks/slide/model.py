@@ -120,7 +120,7 @@ class Object(Fields):
         default=None, description="centre of mass in O, after scaling [m]"
     )
     masses: Annotated[list[PointMass], Field(min_length=1)] | None = Field(
-        default=None, description="instead of com: a mass distribution"
+        default=None, description="instead of com: a mass distribution, whose sum is the mass"
     )
     mass: Positive | None = Field(default=None, description="mass [kg]")
     pose: PlanarPose | None = None

@@ -85,6 +85,12 @@ TEST_F(ClaspCheck, AJump) {
   expect_fault("rad between rows");
 }
 
+TEST_F(ClaspCheck, AHandOutsideItsLimits) {
+  Eigen::VectorXd& q = close().positions.back();
+  q[q.size() - 1] = 9;
+  expect_fault("leaves the joint limits");
+}
+
 TEST_F(ClaspCheck, ALoopThatIsNotThere) {
   plan_.loop = 1;
   expect_fault("loop 1 is not one of the object's 1");

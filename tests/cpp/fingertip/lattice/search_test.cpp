@@ -355,12 +355,17 @@ TEST(Lattice, GoesRoundAnObstacle) {
 }
 
 TEST(Lattice, SaysThatThereIsNoWay) {
-  Problem problem = block_problem({0.2, 0, 0}, {0, -0.1, 0}, {0.2, 0.1, 0}, {11, 11, 1});
+  Problem problem = block_problem({0.2, 0, 0}, {0, 0, 0}, {0.2, 0, 0}, {11, 1, 1});
   problem.obstacles.push_back(
       {"bar", {{geometry::Box{{0.02, 1, 0.02}}}}, on_floor(0.1, 0, 0, 0.02)});
   const Plan plan = fingertip::plan(problem, coarse(4));
   EXPECT_EQ(plan.status, Status::no_location);
   EXPECT_EQ(plan.limit, "reach of the lattice");
+
+  std::get<Lattice>(problem.motion).counts = {2, 1, 1};  // no pose touches the bar
+  const Plan over = fingertip::plan(problem, coarse(4));
+  EXPECT_EQ(over.status, Status::no_location);
+  EXPECT_EQ(over.limit, "reach of the lattice");
 }
 
 TEST(Lattice, FingersTooWeakAreUnstable) {
@@ -379,6 +384,7 @@ TEST(Lattice, RefusesWhatIsNoLattice) {
   refused(block_problem({0.1, 0, 0.55}, lower, upper, {11, 11, 11}), "lattice along yaw");
   refused(block_problem({0.1, 0, 0}, lower, upper, {11, 0, 11}), "counts must be 1");
   refused(block_problem({0, 0, 0}, lower, upper, {11, 11, 11}), "must differ");
+  refused(block_problem({0.1, 0, kPi}, lower, {0.1, 0.1, kPi}, {11, 11, 2}), "more than 3 rad");
   Problem problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
   problem.planes.push_back({"wall", -Eigen::Vector3d::UnitX(), -0.11});
   refused(problem, "inside plane 'wall'");
