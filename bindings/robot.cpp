@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/robot/robot.hpp"
 
+#include <filesystem>
 #include <map>
 #include <random>
 #include <utility>
+
+#include <pybind11/stl/filesystem.h>
 
 #include "graspless/robot/description.hpp"
 #include "graspless/robot/ik.hpp"
@@ -51,11 +54,11 @@ void bind_loading(py::class_<Robot>& cls) {
          "Raises ValueError that names the faulty element.")
       .def_static(
           "from_urdf_file",
-          [](const std::string& path, const std::string& srdf, const Packages& packages,
+          [](const std::filesystem::path& path, const std::string& srdf, const Packages& packages,
              const Array& X_WB) {
             const Robot::Options options{srdf, packages, "", to_pose(X_WB, "X_WB")};
             const py::gil_scoped_release release;
-            return Robot::from_urdf_file(path, options);
+            return Robot::from_urdf_file(path.string(), options);
           },
           py::arg("path"), py::arg("srdf") = "", py::arg("packages") = Packages{}, pose_arg("X_WB"),
           "Reads a .urdf file. Unless srdf (text) is given, also reads a .srdf file of the same "

@@ -40,8 +40,9 @@ def made_stubs(module: str) -> dict[str, str]:
 
 
 def with_names(stub: pathlib.Path) -> str:
-    """Text of a stub, with enums named as type checkers want them."""
+    """Text of a stub, with enums and paths as type checkers want them."""
     text = with_enum_members(stub.read_text())
+    text = text.replace("os.PathLike | str | bytes", "os.PathLike[str] | str")
     if stub.stem == "fingertip":  # which has a Search of its own
         text = text.replace("graspless._core.slide.Search", "Search")
     return text

@@ -8,7 +8,8 @@ import math
 import time
 from typing import TYPE_CHECKING, Any, overload
 
-from . import limits, proving
+from . import limits, planning, proving
+from ._arguments import require_number
 from ._load import as_task
 from .errors import TaskError
 from .kinds import plan_type
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    from . import carry, clasp, fingertip, pinch, planning, slide
+    from . import carry, clasp, fingertip, pinch, slide
     from ._plan import Plan
     from .scene import EdgeCertificate
     from .tasks import PlanT, Task
@@ -167,6 +168,10 @@ def plan(
     OutOfTimeError
         A TaskError: the time limit was reached before the task was read.
     """
+    if seconds is not None:
+        require_number("seconds", seconds)
+    if budget is not None and not isinstance(budget, planning.Budget):
+        raise TaskError(f"budget: {budget!r}: should be a planning.Budget")
     with limits.reading(seconds if budget is None else budget.seconds) as clock:
         task = as_task(task)
     if budget is not None:

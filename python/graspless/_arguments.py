@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import numbers
 import operator
 import os
@@ -13,8 +14,8 @@ from typing import Any
 from .errors import TaskError
 
 
-def require_integer(name: str, value: Any, least: int) -> int:
-    """Returns the value; raises TaskError unless it is a whole number of at least `least`."""
+def require_integer(name: str, value: Any, least: int, most: float = math.inf) -> int:
+    """Returns the value; raises TaskError unless it is a whole number from `least` to `most`."""
     try:
         number = operator.index(value)  # also numpy's
     except TypeError:
@@ -24,13 +25,28 @@ def require_integer(name: str, value: Any, least: int) -> int:
     if number < least:
         what = f"should be at least {least}" if least else "should not be negative"
         raise TaskError(f"{name}: {number}: {what}")
+    if number > most:
+        raise TaskError(f"{name}: {number}: should be at most {most}")
     return number
+
+
+def require_within(name: str, value: Any, most: float, *, or_zero: bool = False) -> None:
+    """Raises TaskError unless the value is a number above 0, or 0 itself, and at most `most`."""
+    if not (or_zero and isinstance(value, numbers.Real) and value == 0):
+        require_above_zero(name, value)
+    if not float(value) <= most:
+        raise TaskError(f"{name}: {value!r}: should be at most {most:g}")
+
+
+def require_number(name: str, value: Any) -> None:
+    """Raises TaskError unless the value is a number, possibly infinite or NaN."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TaskError(f"{name}: {value!r}: should be a number")
 
 
 def require_above_zero(name: str, value: Any) -> None:
     """Raises TaskError unless the value is a number above 0, possibly infinite."""
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TaskError(f"{name}: {value!r}: should be a number")
+    require_number(name, value)
     if not float(value) > 0:
         raise TaskError(f"{name}: {value!r}: should be above 0")
 

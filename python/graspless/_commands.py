@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import TYPE_CHECKING
 
@@ -54,6 +55,30 @@ def given_packages(options: argparse.Namespace) -> dict[str, str]:
             raise TaskError(f"--package: {text}: should be NAME=DIR")
         packages[name] = folder
     return packages
+
+
+_INPUTS = ("task", "plan", "scene", "file", "files")
+_OUTPUTS = {"output": "--output", "png": "--png", "html": "--html"}
+
+
+def require_apart(options: argparse.Namespace) -> None:
+    """Raises TaskError if an output of a command would replace one of its inputs, or another one.
+
+    Devices and stdout may be named twice.
+    """
+    taken: dict[str, str] = {}
+    for name in _INPUTS:
+        given = getattr(options, name, None) or []
+        for path in [given] if isinstance(given, str) else given:
+            taken[os.path.realpath(path)] = "an input of this command"
+    for name, flag in _OUTPUTS.items():
+        path = getattr(options, name, None)
+        if path is None or path == "-" or (os.path.exists(path) and not os.path.isfile(path)):
+            continue
+        place = os.path.realpath(path)
+        if place in taken:
+            raise TaskError(f"{flag}: {path}: would replace {taken[place]}")
+        taken[place] = f"the file of {flag}"
 
 
 def read_stdin() -> str:

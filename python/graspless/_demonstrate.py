@@ -24,10 +24,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", help="SlideToEdge, Tumble, Clasp or Pick")
     parser.add_argument("-o", "--output", metavar="DIR", required=True, help="new folder")
     parser.add_argument(
-        "--episodes", type=int, default=10, metavar="N", help="that held (default: %(default)s)"
+        "--episodes",
+        type=int,
+        default=10,
+        metavar="N",
+        help="successful episodes to record (default: %(default)s)",
     )
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="S", help="of the first (default: %(default)s)"
+        "--seed",
+        type=int,
+        default=0,
+        metavar="S",
+        help="seed of the first episode (default: %(default)s)",
     )
     parser.add_argument(
         "--varied", action="store_true", help="vary friction, mass and poses in the simulation"

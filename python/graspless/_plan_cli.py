@@ -9,7 +9,15 @@ import json
 import sys
 from typing import Any
 
-from ._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust, read_stdin
+from ._commands import (
+    EXIT_CODES,
+    FOUND,
+    INTERRUPTED,
+    NOT_FOUND,
+    add_trust,
+    read_stdin,
+    require_apart,
+)
 from ._pictures import add_pictures, check_pictures, draw
 from .errors import TaskError
 from .kinds import part
@@ -86,6 +94,7 @@ def _run(options: argparse.Namespace) -> int:
             given = load_task(options.task, trust=options.trust)
         else:
             given = read_task(read_stdin(), "stdin", trust=options.trust)
+        require_apart(options)
         task = _change(given, options)
     plan = searched(task, clock.began, options)
     faults, edges = _api.checked(plan, options.certify) if plan else ([], None)

@@ -59,9 +59,11 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
     from .tasks import robots, source
     from .tasks.robot_files import resolve_robot
 
-    if (options.file is None) == (options.name is None):
+    if not options.file and not options.name:
         raise TaskError(f"{command}: give either FILE or --name")
-    field = "name" if options.file is None else "urdf"
+    if options.file and options.name:
+        raise TaskError(f"{command}: give either FILE or --name, not both")
+    field = "urdf" if options.file else "name"
     fields = {field: options.file or options.name, "packages": given_packages(options)}
     given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
     resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import __version__
-from ._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND
+from ._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND, require_apart
 from ._given_plan import given_plan
 from ._pictures import add_pictures, check_pictures, draw
 from .errors import OutOfTimeError, TaskError, explain
@@ -59,6 +59,8 @@ def _run(arguments: Sequence[str] | None) -> int:
             warnings.simplefilter("always", UserWarning)
             warnings.showwarning = _show_warning
             options = make_parser(command).parse_args(given)
+            if command != "plan":  # which first reads a plan that was given instead of a task
+                require_apart(options)
             run: Callable[[argparse.Namespace], int] = options.run
             return run(options)
     except TaskError as error:

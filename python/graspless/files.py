@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def check_writable(path: str | Path) -> None:
     """Raises TaskError unless `path` can be written: asked before work that would be lost."""
-    path = Path(path)
+    path = _path(path)
     _check_place(path)
     try:
         if not path.exists() or path.is_file():
@@ -26,6 +26,12 @@ def check_writable(path: str | Path) -> None:
             temporary.unlink()
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def _path(path: str | Path) -> Path:
+    if not isinstance(path, (str, os.PathLike)):
+        raise TaskError(f"{path!r}: should be the path of a file")
+    return Path(path)
 
 
 def _check_place(path: Path) -> None:
@@ -61,7 +67,7 @@ def _make_temporary(path: Path) -> tuple[int, Path]:
 
 def write(path: str | Path, content: str | bytes) -> None:
     """Writes a file at once, through a temporary one beside it; raises TaskError."""
-    path = Path(path)
+    path = _path(path)
     data = content.encode() if isinstance(content, str) else content
     _check_place(path)
     try:

@@ -195,6 +195,7 @@ FAULTS = [
         11,
         r"motion.sequence\[1\].slide.pose: .*a step starts where the one before it ended",
     ),
+    ((SLIDE, "turn: {angle: 4.7, segments: 1}"), 9, r"motion.turn: .*4.7.* may turn by 3 rad"),
     ((SLIDE, "sequence: [{}]"), 9, r"motion.sequence\[0\]: exactly one of slide, turn, tumble"),
     (more("carrier: {fingertips: [a, b]}"), 1, r"carrier is for a robot, and none is given"),
     (

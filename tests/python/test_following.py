@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 import re
 
 import numpy as np
@@ -16,7 +17,7 @@ import graspless
 from following_common import PATIENT, World
 from graspless import _data, frames, slide
 from graspless.errors import TaskError
-from graspless.following import Follower, Settings
+from graspless.following import Follower, Noise, Settings
 from graspless.following.guard import Guard
 from graspless.following.replan import Replanner
 from graspless.timing.settings import ACCELERATION, JERK
@@ -478,9 +479,43 @@ def test_what_cannot_be_followed_is_refused(plan):
         Follower(failed)
     with pytest.raises(TaskError, match="contact_speed: -1: should be positive"):
         Follower(plan, contact_speed=-1)
+    with pytest.raises(TaskError, match="settings: 5: should be following.Settings"):
+        Follower(plan, 5)
     other = graspless.plan(_data.directory("examples") / "06_push_block.yaml")
     with pytest.raises(TaskError, match="fingertip: only slide plans can be followed"):
         Follower(other)
+
+
+@pytest.mark.parametrize(
+    ("fields", "what"),
+    [
+        ({"brake_seconds": math.nan}, "brake_seconds: nan: should be above 0"),
+        ({"brake_seconds": 0}, "brake_seconds: 0: should be above 0"),
+        ({"gain": 1e4}, "gain: 10000.0: should be at most 20"),
+        ({"settle_seconds": -1}, "settle_seconds: -1: should be above 0"),
+        ({"look_poses": -1}, "look_poses: -1: should not be negative"),
+        ({"look_poses": "x"}, "look_poses: 'x': should be a whole number"),
+        ({"noise": None}, "noise: None: should be a following.Noise"),
+    ],
+)
+def test_settings_that_no_robot_should_follow_are_refused(fields, what):
+    with pytest.raises(TaskError, match=what):
+        Settings(**fields)
+
+
+def test_assumptions_of_the_filter_are_checked():
+    with pytest.raises(TaskError, match=r"position: 0: should be above 0"):
+        Noise(position=0)
+    with pytest.raises(TaskError, match=r"bias: inf: should be at most 1.6"):
+        Noise(bias=math.inf)
+
+
+def test_corrections_may_be_turned_off(plan):
+    names = ("correct", "correct_angle", "grasp_correct", "grasp_correct_angle", "shift")
+    names += ("shift_angle", "settled", "settled_angle", "settle_seconds", "settle_most")
+    world = World(plan, camera=0)
+    world.follower = Follower(plan, Settings(**dict.fromkeys(names, 0)))
+    assert world.run().status == "done"
 
 
 def test_a_search_is_spread_over_updates(plan):

@@ -165,7 +165,9 @@ RUNS = {"time": graspless.time, "simulate": graspless.simulate, "show": write_ht
 @pytest.mark.parametrize("purpose", RUNS)
 @pytest.mark.parametrize("is_bare", [False, True], ids=["no_rows", "no_segments"])
 def test_a_plan_without_motion_is_not_run(document, tmp_path, purpose, is_bare):
-    kept = [] if is_bare else [s | {"positions": [], "object_poses": []} for s in document["segments"]]
+    kept = (
+        [] if is_bare else [s | {"positions": [], "object_poses": []} for s in document["segments"]]
+    )
     (tmp_path / "plan.json").write_text(json.dumps(document | {"segments": kept}))
     given = graspless.load_plan(tmp_path / "plan.json")
     words = r"segments: \[\]: the slide plan has none" if is_bare else "'approach' .* has no rows"

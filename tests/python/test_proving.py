@@ -401,7 +401,7 @@ def test_the_command(task, engine, tmp_path, capsys):
     assert "holds: 7 segments" in out
     assert "held in 0 of 2 trials; fails: fell in 2; best of " in out
     code, _, err = run(capsys, "plan", *files, "--jobs", "2")
-    assert (code, err) == (2, "--jobs: 2: only beside --prove, whose trials they do\n")
+    assert (code, err) == (2, "--jobs: 2: needs --prove, whose trials it distributes\n")
     code, _, err = run(capsys, "plan", *files, "--prove", "0")
     assert (code, err) == (2, "prove: 0: should be at least 1\n")
 

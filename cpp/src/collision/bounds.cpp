@@ -38,8 +38,7 @@ void require_pose(const Eigen::Isometry3d& X, const std::string& what) {
   if (is_pose(X)) return;
   std::ostringstream fault;
   fault << what << " must be a rotation and a translation of at most " << geometry::kMaxLength
-        << " m, not\n"
-        << X.matrix();
+        << " m";
   throw std::invalid_argument(fault.str());
 }
 

@@ -111,7 +111,6 @@ void check_number_of_intervals(const Problem& problem) {
 using mechanics::Vector6d;
 
 constexpr std::size_t kMaxPoses = 100000;
-constexpr double kMaxTurn = 3.0;  // of one arc [rad]: half a turn leaves the way open
 constexpr double kOnLattice = 1e-6;
 constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/robot/description.hpp"
 
 #include "robot/model.hpp"
@@ -85,9 +86,7 @@ void place(const Link& link, const VectorXd& q, const Isometry3d& X_WP, Isometry
 }
 
 Robot Robot::from_urdf(const std::string& xml, const Options& options) {
-  if (!options.X_WB.matrix().allFinite()) {
-    throw std::invalid_argument("X_WB must be finite");
-  }
+  geometry::require_pose(options.X_WB, "X_WB");
   auto model = std::make_shared<Model>(read_urdf(xml, options));
   model->urdf = xml;
   model->options = options;

@@ -71,7 +71,7 @@ bool Motions::is_goal(Handling& handling) {
     return false;
   }
   if (!handling.placement.com_inside) {  // condition 2
-    query_.refuse("pair: center of mass");
+    query_.refuse("pair: centre of mass");
     return false;
   }
   return true;

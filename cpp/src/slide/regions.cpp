@@ -260,7 +260,7 @@ std::vector<GoalRegion::Partner> GoalRegion::draw_partners(const ContactSpace::C
 std::optional<Planar> GoalRegion::draw_object_pose(const ContactSpace::Carried& carried) const {
   const std::optional<Planar> object_S = draw_graspable();
   if (!object_S) {
-    query_.refuse("goal: overhang against center of mass");
+    query_.refuse("goal: overhang against centre of mass");
     return std::nullopt;
   }
   const Planar contact = *object_S * carried.object_start.inverse() * carried.tip_start;

@@ -6,6 +6,7 @@ import collections.abc
 import graspless._core.geometry
 import numpy
 import numpy.typing
+import os
 import typing
 __all__: list[str] = ['Description', 'Ik', 'Robot', 'find_packages', 'join']
 class Robot:
@@ -23,7 +24,7 @@ class Robot:
         Raises ValueError that names the faulty element.
         """
     @staticmethod
-    def from_urdf_file(path: str, srdf: str = '', packages: collections.abc.Mapping[str, str] = {}, X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> Robot:
+    def from_urdf_file(path: os.PathLike[str] | str, srdf: str = '', packages: collections.abc.Mapping[str, str] = {}, X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> Robot:
         """
         Reads a .urdf file. Unless srdf (text) is given, also reads a .srdf file of the same name in the same directory.
         

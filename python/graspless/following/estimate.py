@@ -17,11 +17,12 @@ The bias is constant, so that no number of poses makes the filter surer than the
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._arguments import require_within
 from . import plane
 
 if TYPE_CHECKING:
@@ -61,6 +62,11 @@ class Noise:
     slip: float = 0.003
     slip_angle: float = 0.0524
     slip_turn: float = 0.05
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            or_zero = field.name not in ("position", "angle")  # of which the filter takes inverses
+            require_within(field.name, getattr(self, field.name), 1.6, or_zero=or_zero)
 
 
 class Estimate:

@@ -72,7 +72,9 @@ class Follower(Pursuit):
         problem = found.task.problem
         if problem.X_WO_end is not None:
             raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")
-        chosen = settings or Settings()
+        chosen = Settings() if settings is None else settings
+        if not isinstance(chosen, Settings):
+            raise TaskError(f"settings: {chosen!r}: should be following.Settings")
         limits = max_velocity, max_acceleration, max_jerk
         super().__init__(
             found, chosen, limits_of(problem.robot, chosen.rate, *limits, contact_speed)

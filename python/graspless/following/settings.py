@@ -7,10 +7,35 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from .._arguments import require_integer, require_within
+from ..errors import TaskError
 from .estimate import Noise
 
 if TYPE_CHECKING:
     from ..frames import Matrix
+
+
+_COUNTS = ("look_poses", "resumes", "restarts")
+_ABOVE_ZERO = {  # largest values
+    "gain": 20.0,
+    "speed": 0.1,
+    "turn_speed": 1.0,
+    "acceleration": 1.0,
+    "turn_acceleration": 10.0,
+    "brake_seconds": 10.0,
+    "lift": 1.0,
+    "joint_tolerance": 3.2,
+    "plan_seconds": 1e6,
+    "resume_seconds": 1e6,
+    "search_seconds": 1e6,
+    "rate": 10_000.0,
+}
+_FROM_ZERO = {
+    **dict.fromkeys(("look_seconds", "settle_seconds", "settle_most", "between"), 1e6),
+    **dict.fromkeys(("blind_seconds", "lost_seconds", "joint_seconds"), 1e6),
+    **dict.fromkeys(("correct", "grasp_correct", "shift", "stand_off", "settled"), 0.2),
+    **dict.fromkeys(("correct_angle", "grasp_correct_angle", "shift_angle", "settled_angle"), 1.6),
+}
 
 
 @dataclass(frozen=True)
@@ -71,6 +96,11 @@ class Settings:
         and every fourth time otherwise.
     rate : float
         Samples of a timed segment per second [1/s].
+
+    Raises
+    ------
+    TaskError
+        A value is not a number, or out of its range, which the message says.
     """
 
     noise: Noise = field(default_factory=Noise)
@@ -105,6 +135,16 @@ class Settings:
     resume_seconds: float = 0.15
     search_seconds: float = 0.004
     rate: float = 200.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.noise, Noise):
+            raise TaskError(f"noise: {self.noise!r}: should be a following.Noise")
+        for name in _COUNTS:
+            require_integer(name, getattr(self, name), least=0)
+        for name, most in _ABOVE_ZERO.items():
+            require_within(name, getattr(self, name), most)
+        for name, most in _FROM_ZERO.items():
+            require_within(name, getattr(self, name), most, or_zero=True)
 
 
 @dataclass(frozen=True)

@@ -71,6 +71,12 @@ def _run(options: argparse.Namespace) -> int:
     if options.stamp is not None and not math.isfinite(options.stamp):
         raise TaskError(f"--stamp: {options.stamp}: should be a time in seconds since 1970")
     files.check_writable(options.output)
+    arrays = Path(options.output).with_suffix(".npz")
+    if arrays.resolve() in [Path(path).resolve() for path in options.files]:
+        raise TaskError(
+            f"--output: {options.output}: {arrays.name} beside it would replace an input of this "
+            "command"
+        )
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)

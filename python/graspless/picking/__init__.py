@@ -5,12 +5,13 @@
 from __future__ import annotations
 
 import itertools
+import os
 import time
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from .. import planning
-from .._arguments import require_integer
+from .._arguments import require_above_zero, require_integer, require_number
 from ..errors import TaskError
 from ..report import least_seconds
 from . import place as places
@@ -110,6 +111,12 @@ def pick(
     began = time.monotonic()
     asked = require_strategies(strategies)
     best_of = require_integer("best_of", best_of, least=1)
+    seed = require_integer("seed", seed, least=0, most=2**63 - 1)
+    require_above_zero("seconds", seconds)
+    require_number("lift", lift)
+    for field, value in (("mass", mass), ("grip_force", grip_force), ("max_age", max_age)):
+        if value is not None:
+            require_number(field, value)
     budget = planning.Budget(seconds=seconds, seed=seed)
     scene, file = read_scene(scene)
     wishes = {
@@ -189,6 +196,10 @@ def labelled(robot: Any) -> dict[str, Any]:
     several = list(robot) if isinstance(robot, (list, tuple)) else [robot]
     if not several:
         raise TaskError("robot: none: at least one is needed")
+    for one in several:
+        if not isinstance(one, (str, os.PathLike, Mapping)):
+            what = "should be a robot's name, the path of a URDF, or the fields of a robot"
+            raise TaskError(f"robot: {one!r}: {what}")
     labels: dict[str, Any] = {}
     for one in several:
         fields = one if isinstance(one, Mapping) else {"urdf": str(one)}

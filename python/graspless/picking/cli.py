@@ -23,13 +23,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
     parser.formatter_class = parsers.RawDescriptionHelpFormatter
     parser.description = (
-        "Plan how a robot picks up an object of a scene: pinch it where it stands, slide it to an\n"
-        "edge and grasp it there, clasp a hole or handle of it, or first tumble or push it with\n"
-        "two fingertips, and lift it. The plan is a chain; if there is none, the table says why\n"
-        "not for each strategy."
+        "Plan how a robot picks up an object of a scene: pinch it where it stands, pinch a wall\n"
+        "of it, slide it to an edge and grasp it there, clasp a hole or handle of it, or first\n"
+        "tumble or push it with two fingertips, and lift it. The plan is a chain; if there is\n"
+        "none, the table says why not for each strategy."
     )
+    codes = EXIT_CODES.replace(" or, with --prove, a trial", "")
     parser.epilog = (
-        f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
+        f"{codes}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
     )
     parser.add_argument(
         "scene",

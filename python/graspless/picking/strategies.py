@@ -31,6 +31,8 @@ LEAST_SECONDS = 1e-3
 
 def require_strategies(strategies: Sequence[str]) -> list[str]:
     """Returns the strategies. Raises TaskError unless all are known and each is named once."""
+    if not isinstance(strategies, (str, list, tuple)):
+        raise TaskError(f"strategies: {strategies!r}: should be a list of names")
     asked = [strategies] if isinstance(strategies, str) else list(strategies)
     for name in asked:
         if name not in STRATEGIES:

@@ -60,13 +60,13 @@ def prove(
     Raises
     ------
     TaskError
-        varied or jobs is not a whole number of at least 1, plans of this kind cannot be simulated,
-        MuJoCo is not installed, or no task file can state the problem.
+        varied is not in 1 to 10000, jobs is not a whole number of at least 1, plans of this kind
+        cannot be simulated, MuJoCo is not installed, or no task file can state the problem.
     """
     before = time.monotonic()
     from .. import simulation
 
-    varied = require_integer("prove", varied, least=1)
+    varied = require_integer("prove", varied, least=1, most=simulation.MOST_TRIALS)
     jobs = require_integer("jobs", jobs, least=1)
     kind = simulation.require_simulated(task)
     task.to_dict()  # raises where there is no such file

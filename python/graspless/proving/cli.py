@@ -44,7 +44,7 @@ def searched(task: Any, began: float, options: argparse.Namespace) -> Plan:
     plan: Plan
     if options.prove is None:
         if options.jobs != 1:
-            raise TaskError(f"--jobs: {options.jobs}: only beside --prove, whose trials they do")
+            raise TaskError(f"--jobs: {options.jobs}: needs --prove, whose trials it distributes")
         with progress.waiting(f"planning, at most {task.budget.seconds:g} s"):
             plan = (_api.plan_certified if options.certify else _api.plan_since)(task, began)
         return plan

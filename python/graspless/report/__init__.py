@@ -120,6 +120,12 @@ def count(number: float, things: str) -> str:
     return f"{number} {things.removesuffix('s') if number == 1 else things}"
 
 
+def the(name: str) -> str:
+    """Returns the name of an object in a sentence: "the card", "object_0"."""
+    is_word = not any(letter.isdigit() or letter == "_" for letter in name)
+    return f"the {name}" if is_word else name
+
+
 def segment_details(plan: Plan) -> list[dict[str, Any]]:
     """Returns name, number of rows and least duration of each joint motion."""
     return [

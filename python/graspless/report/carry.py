@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
-from . import refused, segment_details, segment_lines
+from . import refused, segment_details, segment_lines, the
 
 if TYPE_CHECKING:
     from ..carry import Plan
@@ -36,13 +36,13 @@ def moved(plan: Plan) -> str:
     name, length = problem.object.name, float(np.linalg.norm(goal[:3, 3] - start[:3, 3]))
     distance = f"{100 * length:.1f} cm"
     if problem.places is not None:
-        return f"puts the {name} down on {problem.places.on}, {distance} away"
+        return f"puts {the(name)} down on {problem.places.on}, {distance} away"
     w = abs(float(frames.to_quaternion(np.linalg.inv(start) @ goal)[0]))
     angle = np.degrees(2 * np.arccos(min(w, 1.0)))
     if length < 5e-4:
-        return f"turns the {name} by {angle:.0f} degrees"
+        return f"turns {the(name)} by {angle:.0f} degrees"
     turned = f", turning it by {angle:.0f} degrees" if angle >= 0.5 else ""
-    return f"carries the {name} {distance} along a straight path{turned}"
+    return f"carries {the(name)} {distance} along a straight path{turned}"
 
 
 def lines_not_found(plan: Plan) -> list[str]:

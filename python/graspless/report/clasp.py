@@ -106,8 +106,9 @@ def _caged(found: Certificate) -> str:
     if not any(found.between):
         return "not proven to be caged: no ring of the hand is linked with the loop"
     first, second = found.between
-    known = found.thickness > 0
-    thick = f"a loop {1000 * found.thickness:.1f} mm thick" if known else "a loop of unknown thickness"
+    thick = "a loop of unknown thickness"
+    if found.thickness > 0:
+        thick = f"a loop {1000 * found.thickness:.1f} mm thick"
     gap = f"the gap of {1000 * found.gap:.1f} mm between {first} and {second}"
     opening = f"opening {1000 * found.lower:.1f} to {1000 * found.upper:.1f} mm"
     if found.caged:

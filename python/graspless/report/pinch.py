@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import refused, segment_details, segment_lines
+from . import refused, segment_details, segment_lines, the
 
 if TYPE_CHECKING:
     from ..pinch import Plan
@@ -28,7 +28,7 @@ def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, and what the pinch needs."""
     name = plan.task.problem.object.name
     pinched = (
-        f"the hand, which opens {1000 * plan.opening:.0f} mm, pinches the {name} where it is "
+        f"the hand, which opens {1000 * plan.opening:.0f} mm, pinches {the(name)} where it is "
         f"{1000 * width(plan):.0f} mm wide; needs a coefficient of friction of {plan.friction:.2f}"
     )
     return [*segment_lines(plan), pinched]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import refused, segment_details, segment_lines
+from . import refused, segment_details, segment_lines, the
 
 if TYPE_CHECKING:
     from ..slide import Plan
@@ -54,7 +54,7 @@ def _slide_line(plan: Plan) -> str:
     ]
     path = sum(float(np.linalg.norm(np.diff(p, axis=0), axis=1).sum()) for p in slides)
     along = f"along a path of {path * 100:.1f} cm"
-    moved = f"the {name} slides {distance * 100:.1f} cm {along} and turns {turn:.0f} deg"
+    moved = f"{the(name)} slides {distance * 100:.1f} cm {along} and turns {turn:.0f} deg"
     if plan.task.problem.X_WO_end is not None:
         return f"{moved}, and is left there"
     needed = 100 * plan.task.options.min_overhang

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from .._plan import Plan
 
+MOST_TRIALS = 10_000
 OLDEST = 4  # tested major version of MuJoCo; early 3.3 lacks parts of MjSpec
 
 
@@ -90,12 +91,12 @@ def simulate(
     Raises
     ------
     TaskError
-        The plan is not solved or has a segment without rows, trials is not a whole number of at
-        least 1, seed is not one of at least 0, the plan is no slide but closed_loop or condition is
-        given, there is no such condition, or MuJoCo is not installed.
+        The plan is not solved or has a segment without rows, trials is not a whole number from 1
+        to 10000, seed is not one of at least 0, the plan is no slide but closed_loop or condition
+        is given, there is no such condition, or MuJoCo is not installed.
     """
     plan = as_motion(plan, "simulate")
-    trials = require_integer("trials", trials, least=1)
+    trials = require_integer("trials", trials, least=1, most=MOST_TRIALS)
     seed = require_integer("seed", seed, least=0)
     kind: Any = simulation_kind(plan.kind)
     drawn = _drawn(kind, plan, trials, seed, condition)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
 from typing import Any
@@ -17,12 +18,16 @@ MOST_NODES = 10**6  # of YAML, after its aliases are replaced by what they stand
 
 def read_text(path: str | Path) -> str:
     """Returns the text of a file. Raises TaskError if it cannot be read."""
+    if not isinstance(path, (str, os.PathLike)):
+        raise TaskError(f"{path!r}: should be the path of a file")
     try:
         return Path(path).read_text(encoding="utf-8-sig")  # Windows editors write a byte order mark
     except OSError as error:
         raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise TaskError(f"{path}: not a text file in UTF-8") from None
+    except ValueError as error:  # a NUL in the name
+        raise TaskError(f"{str(path)!r}: cannot be read: {error}") from None
 
 
 def read_yaml(path: str | Path) -> Source:

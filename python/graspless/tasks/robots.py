@@ -131,7 +131,8 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
         try:
             built = _built(robot)
         except ValueError as error:
-            raise source.error(_place(str(error), source), str(error)) from None
+            text = str(error).removeprefix("X_WB ")
+            raise source.error(_place(str(error), source), text) from None
     if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
         more = (
             f" and {len(built.warnings) - 1} more (Robot.warnings)"
@@ -144,7 +145,9 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
 
 
 def _place(fault: str, source: Source) -> tuple[str, str]:
-    """Returns the field that names the file with a fault."""
+    """Returns the field that has a fault, or names the file that has it."""
+    if fault.startswith("X_WB"):
+        return "robot", "pose"
     is_srdf = fault.startswith("SRDF") and "srdf" in source.given("robot")
     return "robot", "srdf" if is_srdf else given_field(source)
 

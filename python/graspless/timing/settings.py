@@ -44,6 +44,7 @@ FREE_FINGER_ACCELERATION = 0.5  # [m/s^2]
 
 RATE = 100.0  # [1/s]
 PAUSE = 0.05  # between segments, where contacts change [s]
+LARGEST = 1e9  # limit of a joint: rounding errors spoil the timing with larger ones
 LONGEST = 2**31 - 1  # duration that ROS messages can hold [s]
 
 
@@ -127,10 +128,17 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
         for joint, value in given.items():
             if joint not in names:
                 raise TaskError(f"{name}: {joint}: no such joint (one of: {', '.join(names)})")
-            values[names.index(joint)] = require_positive(f"{name}: {joint}", value)
+            values[names.index(joint)] = _limit(f"{name}: {joint}", value)
     elif given is not None:
-        values[:] = require_positive(name, given)
+        values[:] = _limit(name, given)
     return values
+
+
+def _limit(name: str, value: float) -> float:
+    """Returns a limit; raises TaskError unless it is in (0, LARGEST]."""
+    if require_positive(name, value) > LARGEST:
+        raise TaskError(f"{name}: {value:g}: should be at most {LARGEST:g}")
+    return float(value)
 
 
 def _require_velocities(robot: Robot, given: PerJoint | None) -> None:

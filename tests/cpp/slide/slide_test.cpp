@@ -220,7 +220,7 @@ TEST(Plan, SaysThatNoPairCanBeValid) {
   const Plan none = plan(simple_problem(), options, seeded(1, 0.5));
   EXPECT_FALSE(none);
   EXPECT_TRUE(none.status == Status::no_valid_pair || none.status == Status::not_connected);
-  EXPECT_GT(none.statistics.refusals.at("goal: overhang against center of mass"), 0);
+  EXPECT_GT(none.statistics.refusals.at("goal: overhang against centre of mass"), 0);
   EXPECT_NE(none.reason.find("overhang"), std::string::npos) << none.reason;
 }
 

@@ -84,7 +84,8 @@ using Motion = std::variant<Path, Lattice, Goal>;
 GRASPLESS_API Path slide_path(const Eigen::Isometry3d& X_WO_start,
                               const Eigen::Vector3d& translation_W, int segments);
 /// Returns a tumble over an edge or a turn on the floor, in equal segments: a rotation by `angle`
-/// [rad, right-handed] about the line through `point_W` along `axis_W`.
+/// [rad, right-handed] about the line through `point_W` along `axis_W`. A segment turns by 3 rad at
+/// most.
 GRASPLESS_API Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point_W,
                              const Eigen::Vector3d& axis_W, double angle, int segments);
 /// Joins paths into one. Throws std::invalid_argument unless each starts where the one before it

@@ -9,6 +9,8 @@
 
 namespace graspless::fingertip {
 
+constexpr double kMaxTurn = 3.0;  // of one arc [rad]: half a turn leaves the way open
+
 /// The body twist (in O) that carries X_WO to X_WO_next in unit time along a screw: X_WO exp(t).
 mechanics::Vector6d screw_between(const Eigen::Isometry3d& X_WO,
                                   const Eigen::Isometry3d& X_WO_next);

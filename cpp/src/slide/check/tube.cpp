@@ -102,7 +102,7 @@ void Examination::check_ends(const std::vector<Planar>& ends) {
     const Eigen::Vector2d foot =
         X_SO * Eigen::Vector2d(com_O.head<2>()) + down_S.head<2>() * (com_O.z() / -down_S.z());
     if (!(signed_depth(problem_.support.polygon().vertices(), foot) >= -kRounded)) {
-      fault("tube", "friction may leave the center of mass off the support");
+      fault("tube", "friction may leave the centre of mass off the support");
     } else if (problem_.object.is_hollow() && !(held_by_rim(X_SO, foot) >= -kRimSpacing)) {
       fault("tube", "friction may leave the object tipping on its rim");
     }

@@ -242,7 +242,7 @@ std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& o
   };
   const double least = std::min(0.0, depth_at(object_goal) - kGraspGive);
   for (const Planar& end : ends) {
-    if (!is_com_inside(problem, end, 0)) return "the center of mass off the support";
+    if (!is_com_inside(problem, end, 0)) return "the centre of mass off the support";
     if (depth_at(end) < least) return "the object out of the hand";
   }
   const Lag lag = largest_lag(ends, object_goal);
