@@ -212,7 +212,9 @@ class _Carried(Execution):
             standing=None if places is None else places.on,
             later=later,
         )
-        self.measures = {"kept": 0.0, "lifted": 0.0}
+        self.measures = {"kept": 0.0}
+        if places is None:  # otherwise it is down again before the hold
+            self.measures["lifted"] = 0.0
         self._until = HOLD if places is None else REST
         begin: Matrix = carries[0].segments[0].object_poses[0]
         put: Matrix = last.segments[-1].object_poses[-1]

@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, NullLocator
+from matplotlib.ticker import FuncFormatter, MaxNLocator, NullLocator
 
 from .bodies import LOOP, TRAIL
 from .figures import INK, as_png, new_figure
@@ -117,7 +117,9 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
         low, high = max(edges.min(), middle / 10), max(edges.max(), 1.2 * chosen)
         axes.set_xlim(low, high)
         decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.log10(high) + 1)
-        axes.set_xticks([t for t in np.outer(decades, [1, 2, 5]).ravel() if low <= t <= high])
+        ticks = [t for t in np.outer(decades, [1, 2, 5]).ravel() if low <= t <= high]
+        few = MaxNLocator(5).tick_values(low, high)
+        axes.set_xticks(ticks if len(ticks) > 1 else few[(few >= low) & (few <= high)])
     axes.set_yscale("symlog", linthresh=10)
     most = int(numbers.max(initial=1))
     axes.set_yticks([n for n in (0, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000) if n <= most])
