@@ -222,18 +222,21 @@ def require_rows(
     if len(joint_rows) != len(object_poses):
         counts = f"{len(joint_rows)} positions and {len(object_poses)} poses"
         raise ValueError(f"{where} has {counts}: one per row is needed")
-    for i, row in enumerate(joint_rows):
-        if len(row) != dof:
-            raise ValueError(f"row {i} of {where} has {len(row)} values for {dof} joint_names")
+    lengths = list(map(len, joint_rows))
+    if set(lengths) - {dof}:
+        i = next(i for i, length in enumerate(lengths) if length != dof)
+        raise ValueError(f"row {i} of {where} has {lengths[i]} values for {dof} joint_names")
     require_unit_quaternions(object_poses)
 
 
 def require_unit_quaternions(rows: list[list[float]]) -> None:
     """Raises unless every row is a pose: x y z qw qx qy qz."""
-    for row in rows:
-        _, _, _, w, x, y, z = row
-        if abs(w * w + x * x + y * y + z * z - 1) > 1e-6:
-            raise ValueError(f"quaternion {row[3:]} is not of unit length")
+    if not rows:
+        return
+    quaternions = np.array(rows)[:, 3:]
+    wrong = np.flatnonzero(np.abs(np.square(quaternions).sum(axis=1) - 1) > 1e-6)
+    if len(wrong):
+        raise ValueError(f"quaternion {rows[wrong[0]][3:]} is not of unit length")
 
 
 def schema() -> dict[str, Any]:

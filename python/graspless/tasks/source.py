@@ -9,6 +9,7 @@ import difflib
 import math
 import re
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from ..errors import TaskError, explain
@@ -221,7 +222,7 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             if len(place) > DEEPEST:
                 yield place[:3], f"nested deeper than {DEEPEST} levels"
                 return
-            if _is_row(value):
+            if _are_numbers(value):
                 continue
             items = value.items() if isinstance(value, dict) else enumerate(value)
             for key, item in items:
@@ -235,11 +236,14 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             yield place, what
 
 
-def _is_row(value: Any) -> bool:
-    """True of most lists of numbers that all lie within bounds; quick."""
-    if type(value) is not list or set(map(type, value)) != {float}:
+def _are_numbers(value: Any) -> bool:
+    """True of most lists of numbers, or of rows of numbers, that all lie within bounds; quick."""
+    if type(value) is not list:
         return False
-    numbers: list[float] = value
+    types = set(map(type, value))
+    numbers: list[float] = list(chain.from_iterable(value)) if types == {list} else value
+    if set(map(type, numbers)) != {float}:
+        return False
     return min(numbers) >= -LARGEST and max(numbers) <= LARGEST
 
 
