@@ -28,6 +28,14 @@ def check_writable(path: str | Path) -> None:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
+def absence(path: str | Path) -> str:
+    """Returns the reason why there is no file to read at a path."""
+    path = Path(path)
+    if path.is_dir():
+        return "is a folder, not a file"
+    return "is not a file" if path.exists() else "no such file"
+
+
 def _path(path: str | Path) -> Path:
     if not isinstance(path, (str, os.PathLike)):
         raise TaskError(f"{path!r}: should be the path of a file")

@@ -129,6 +129,8 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "--html", "plan.json"], "would replace the file of --output"),
         (["view", "plan.json", "--html", "plan.json"], "plan.json: would replace an input"),
         (["see", "scene.npz"], "scene.yaml: scene.npz beside it would replace an input"),
+        (["pick", ".", "a", "--robot", "wam_t42"], ".: is a folder, not a file"),
+        (["robot", "inspect", "."], "robot.urdf: .: is a folder, not a file"),
         (["robot", "inspect", ""], "inspect: give either FILE or --name"),
         (["check", "none.json"], "none.json: cannot be read"),
         (["check", "task.yaml"], "task.yaml: this is a task, not a plan; graspless plan reads it"),

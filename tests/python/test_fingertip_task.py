@@ -142,7 +142,7 @@ FAULTS = [
     ((SLIDE, "{}"), 8, r"motion: exactly one of slide, turn, .* must be given, not none"),
     ((SLIDE, f"{SLIDE}\n  path: []"), 10, r"motion.path: .*at least 2"),
     ((SLIDE, "slide: {translation: [0, 0, 0], segments: 6}"), 9, r"motion.slide: .*"),
-    ((SLIDE, "slide: {translation: [0.1, 0, 0.1]}"), 9, r"motion.slide: .*floats"),
+    ((SLIDE, "slide: {translation: [0.1, 0, 0.1]}"), 9, r"motion.slide: .*lifts off every plane"),
     ((SLIDE, "slide: {translation: [0.1, 0, -0.1]}"), 9, r"motion.slide: .*(below|into|enters|inside)"),
     (
         (SLIDE, "slide: {translation: [0.1, 0, 0], pose: {position: [0, 0, 0.03]}}"),
@@ -196,6 +196,7 @@ FAULTS = [
         r"motion.sequence\[1\].slide.pose: .*a step starts where the one before it ended",
     ),
     ((SLIDE, "turn: {angle: 4.7, segments: 1}"), 9, r"motion.turn: .*4.7.* may turn by 3 rad"),
+    ((SLIDE, "slide: {translation: [0, 0, 1]}"), 9, r"motion.slide: .*lifts off every plane"),
     ((SLIDE, "sequence: [{}]"), 9, r"motion.sequence\[0\]: exactly one of slide, turn, tumble"),
     (more("carrier: {fingertips: [a, b]}"), 1, r"carrier is for a robot, and none is given"),
     (

@@ -409,6 +409,8 @@ def test_limits_beside_those_of_the_urdf():
         ("slide", {"max_velocity": 0}, ["max_velocity", "0", "positive"]),
         ("slide", {"max_velocity": float("nan")}, ["max_velocity", "nan"]),
         ("slide", {"max_velocity": "fast"}, ["max_velocity", "'fast'", "a number"]),
+        ("slide", {"max_velocity": [1]}, ["max_velocity", "[1]", "by name of joint"]),
+        ("slide", {"max_acceleration": 1e10}, ["max_acceleration", "at most 1e+09"]),
         ("slide", {"max_acceleration": -1.0}, ["max_acceleration", "-1"]),
         ("slide", {"max_jerk": {"elbow": 5}}, ["max_jerk", "elbow", "wam_joint_1"]),
         ("slide", {"max_jerk": 0}, ["max_jerk", "0"]),

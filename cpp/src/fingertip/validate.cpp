@@ -132,6 +132,9 @@ void check_state(const Problem& problem, const mechanics::BodyState& state,
     const Eigen::VectorXd heights = plane.n_W.transpose() * (state.X_WO * problem.object.hull());
     gap = std::min(gap, heights.minCoeff() - plane.offset);
   }
+  if (gap < kContactTolerance * problem.object.size()) {
+    refuse(where, "the object lifts off every plane");
+  }
   refuse(where, "the object floats: it is " + std::to_string(gap) + " m off the nearest plane");
 }
 

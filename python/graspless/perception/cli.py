@@ -13,6 +13,7 @@ import numpy as np
 
 from .._commands import FOUND, NOT_FOUND
 from ..errors import TaskError, explain
+from ..files import absence
 
 if TYPE_CHECKING:
     import argparse
@@ -113,7 +114,7 @@ def read_view(path: Path, viewpoint: list[float] | None) -> View:
         choices = ", ".join((".npz", *CLOUDS))
         raise TaskError(f"{path}: unknown kind of file (one of: {choices})")
     if not path.is_file():
-        raise TaskError(f"{path}: no such file")
+        raise TaskError(f"{path}: {absence(path)}")
     try:
         if suffix == ".npz":
             return _view_of_arrays(path)

@@ -174,7 +174,7 @@ def load_scene(path: str | Path) -> Scene:
     """
     path = Path(path)
     if not path.is_file():
-        raise TaskError(f"{path}: no such file")
+        raise TaskError(f"{path}: {files.absence(path)}")
     source = read_yaml(path)
     fields: SceneFields = source.validate(SceneFields)
     clouds = _clouds(fields, source, path.parent)

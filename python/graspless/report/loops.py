@@ -99,7 +99,7 @@ def as_text(loops: geometry.Loops) -> str:
     for k, loop in enumerate(loops.found):
         sure = f", persists up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
         thick = f"along a part {100 * loop.thickness:.2g} cm thick"
-        through = f", seen through on {1e4 * loop.seen_through:.2g} cm^2" if loops.has_rays else ""
+        through = f", seen through on {1e4 * loop.seen_through:.3g} cm^2" if loops.has_rays else ""
         lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}{through}")
     lines += unclear
     if loops.meridians:

@@ -12,6 +12,7 @@ from .. import _data
 from .._core import robot as robots
 from .._descriptions import Described, described
 from .._xml import parse
+from ..files import absence
 from ..limits import uncounted
 from .meshes import FOREIGN, prepare_meshes
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
@@ -112,7 +113,7 @@ def _find_urdf(
         with at(source, *place), uncounted():  # it may download
             return described(name)
     names = ", ".join(_data.robots())
-    what = f"no such file, nor a robot that comes with graspless (one of: {names})"
+    what = f"{absence(path)}, nor a robot that comes with graspless (one of: {names})"
     raise source.error(place, what)
 
 

@@ -111,10 +111,13 @@ def joint_limits(
     return velocity, acceleration, jerk
 
 
-def require_positive(name: str, value: float) -> float:
-    """Returns the value; raises TaskError unless it is a finite positive number."""
+def require_positive(name: str, value: float, other: str = "") -> float:
+    """Returns the value; raises TaskError unless it is a finite positive number.
+
+    The message names what `other` than a number it may be.
+    """
     if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
-        raise TaskError(f"{name}: {value!r}: should be a number")
+        raise TaskError(f"{name}: {value!r}: should be a number{other}")
     if not math.isfinite(value) or value <= 0:
         raise TaskError(f"{name}: {value}: should be positive and finite")
     return float(value)
@@ -130,13 +133,13 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
                 raise TaskError(f"{name}: {joint}: no such joint (one of: {', '.join(names)})")
             values[names.index(joint)] = _limit(f"{name}: {joint}", value)
     elif given is not None:
-        values[:] = _limit(name, given)
+        values[:] = _limit(name, given, ", or numbers by name of joint")
     return values
 
 
-def _limit(name: str, value: float) -> float:
+def _limit(name: str, value: float, other: str = "") -> float:
     """Returns a limit; raises TaskError unless it is in (0, LARGEST]."""
-    if require_positive(name, value) > LARGEST:
+    if require_positive(name, value, other) > LARGEST:
         raise TaskError(f"{name}: {value:g}: should be at most {LARGEST:g}")
     return float(value)
 

@@ -211,7 +211,8 @@ def build_options(task: model.SlideTask, problem: slide.Problem, source: Source)
     try:
         slide.validate(problem, options)
     except ValueError as error:
-        with at(source, "hand" if str(error).startswith("hand.") else "options"):
+        section = str(error).partition(".")[0]
+        with at(source, section if section in ("hand", "support") else "options"):
             raise
     return options
 
