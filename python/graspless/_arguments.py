@@ -51,6 +51,13 @@ def require_above_zero(name: str, value: Any) -> None:
         raise TaskError(f"{name}: {value!r}: should be above 0")
 
 
+def require_type(name: str, value: Any, *types: type) -> None:
+    """Raises TaskError unless the value has one of the types, which the message names."""
+    if not isinstance(value, types):
+        named = " or ".join(f"{t.__module__}.{t.__name__}".replace("._core", "") for t in types)
+        raise TaskError(f"{name}: {value!r}: should be a {named}")
+
+
 def require_path(name: str, value: Any, other: str) -> str | Path:
     """Returns the value; raises TaskError unless it is a path.
 

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 
 from ._any_plan import AnyPlan, of_found, own_segments
+from ._arguments import require_type
 from ._core import clasp as _core
 from ._core.clasp import (
     Certificate,
@@ -203,6 +204,7 @@ def resume(
         A bad problem or options; `q` of the wrong size or outside the joint limits; a pose that is
         not rigid.
     """
+    require_type("problem", problem, Problem, Plan)
     if isinstance(problem, Plan):
         options, budget = problem._settings(options, budget)
         problem = problem.task.problem

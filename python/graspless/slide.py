@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from ._any_plan import AnyPlan
+from ._arguments import require_type
 from ._core import slide as _core
 from ._core.slide import (
     FingerModel,
@@ -32,13 +33,13 @@ from ._core.slide import (
     validate,
 )
 from .collision import Obstacle
+from .planning import Budget
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from . import tasks
     from .frames import Matrix
-    from .planning import Budget
 
     Task = tasks.Task[Problem, Options, "Plan"]
 
@@ -208,6 +209,11 @@ def _interrupted(
     """Returns the task to go on with, and the goal of a plan for it."""
     from .tasks import Task
 
+    require_type("problem", problem, Problem, Plan)
+    if options is not None:
+        require_type("options", options, Options)
+    if budget is not None:
+        require_type("budget", budget, Budget)
     if not isinstance(problem, Plan):
         return Task.of(problem, options, budget), None
     task, goal = problem.task, problem.X_WO_goal if problem else None

@@ -10,7 +10,7 @@ import pytest
 import clasp_common
 import graspless
 from fingertip_common import PUSH, TUMBLE, changed
-from graspless import clasp, fingertip, frames, planning
+from graspless import TaskError, clasp, fingertip, frames, planning, slide
 from graspless.tasks import read_task
 from tasks_common import reread
 
@@ -85,3 +85,16 @@ def test_a_clasp_is_planned_anew_while_the_hand_is_on_its_way():
     np.testing.assert_array_equal(anew.segments[0].positions[0][arm], q[arm])
     with pytest.raises(ValueError, match="q_start"):
         clasp.resume(plan, q[:3], X_WO)
+
+
+@pytest.mark.parametrize(
+    ("room", "given", "words"),
+    [
+        (slide, [5, [0.0], np.eye(4)], "problem: 5: should be a graspless.slide.Problem or "),
+        (clasp, [None, [0.0], np.eye(4)], "problem: None: should be a graspless.clasp.Problem or "),
+        (fingertip, [None, 0, np.eye(4)], "plan: None: should be a graspless.fingertip.Plan"),
+    ],
+)
+def test_what_is_no_plan_is_not_resumed(room, given, words):
+    with pytest.raises(TaskError, match=words):
+        room.resume(*given)

@@ -19,6 +19,7 @@ import math
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 from .._any_plan import AnyPlan, of_found, own_segments
+from .._arguments import require_integer, require_type
 from .._core import fingertip as _core
 from .._core.fingertip import (
     Carrier,
@@ -239,6 +240,8 @@ def resume(
     """
     from ..tasks import Task
 
+    require_type("plan", plan, Plan)
+    segment = require_integer("segment", segment, least=0)
     task = plan.task
     if task.arm is not None:
         raise ValueError("plan: has joint paths of a robot; only plans of fingertips are resumed")
