@@ -9,12 +9,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .errors import TaskError
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import ArrayLike, NDArray
 
     Matrix = NDArray[np.float64]
+
+
+def _three(name: str, given: ArrayLike) -> Matrix:
+    """Returns an array [3]; raises TaskError unless it has this shape."""
+    array = np.asarray(given, dtype=float)
+    if array.shape != (3,):
+        raise TaskError(f"{name}: shape {array.shape}: should be three numbers")
+    return array
 
 
 def translation(p_AB: ArrayLike) -> Matrix:
@@ -24,9 +34,14 @@ def translation(p_AB: ArrayLike) -> Matrix:
     ----------
     p_AB : array [3]
         Origin of B in A [m].
+
+    Raises
+    ------
+    TaskError
+        It has another shape.
     """
     X_AB = np.eye(4)
-    X_AB[:3, 3] = p_AB
+    X_AB[:3, 3] = _three("p_AB", p_AB)
     return X_AB
 
 
@@ -48,8 +63,12 @@ def planar(x: float, y: float, yaw: float) -> Matrix:
     return translation([x, y, 0.0]) @ from_rpy([0.0, 0.0, yaw])
 
 
-def from_rpy(rpy: Sequence[float]) -> Matrix:
-    """Returns the 4 x 4 rotation Rz(yaw) Ry(pitch) Rx(roll), as in URDF [rad]."""
+def from_rpy(rpy: ArrayLike) -> Matrix:
+    """Returns the 4 x 4 rotation Rz(yaw) Ry(pitch) Rx(roll), as in URDF [rad].
+
+    Raises TaskError unless there are three angles.
+    """
+    rpy = _three("rpy", rpy)
     (cr, cp, cy), (sr, sp, sy) = map(math.cos, rpy), map(math.sin, rpy)
     X_AB = np.eye(4)
     X_AB[:3, :3] = [
@@ -71,9 +90,17 @@ def to_rpy(X_AB: Matrix) -> Matrix:
 
 
 def from_quaternion(wxyz: ArrayLike) -> Matrix:
-    """Returns the rotations [..., 4, 4] of quaternions [..., 4] (w, x, y, z), normalised first."""
+    """Returns the rotations [..., 4, 4] of quaternions [..., 4] (w, x, y, z), normalised first.
+
+    Raises TaskError for another shape, and for the quaternion 0.
+    """
     q = np.asarray(wxyz, dtype=float)
-    w, x, y, z = np.moveaxis(q / np.linalg.norm(q, axis=-1, keepdims=True), -1, 0)
+    if q.shape[-1:] != (4,):
+        raise TaskError(f"wxyz: shape {q.shape}: should be (..., 4)")
+    length = np.linalg.norm(q, axis=-1, keepdims=True)
+    if not length.all():
+        raise TaskError("wxyz: a quaternion of length 0 is no rotation")
+    w, x, y, z = np.moveaxis(q / length, -1, 0)
     X_AB = np.zeros((*q.shape[:-1], 4, 4))
     X_AB[..., 3, 3] = 1.0
     X_AB[..., 0, 0] = 1 - 2 * (y * y + z * z)

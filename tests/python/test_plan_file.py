@@ -266,3 +266,18 @@ def test_table_reads_what_it_writes(plan, document):
     fields = SlidePlanFile.model_validate(document)
     assert json.loads(plan.to_json()) == document
     assert fields.model_dump(mode="json", exclude_none=True) == document
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: frames.translation([1, 2]), r"p_AB: shape \(2,\): should be three numbers"),
+        (lambda: frames.translation(3), r"p_AB: shape \(\): should be three numbers"),
+        (lambda: frames.from_rpy([0, 0]), "rpy: shape"),
+        (lambda: frames.from_quaternion([1, 0, 0]), r"wxyz: shape \(3,\): should be \(..., 4\)"),
+        (lambda: frames.from_quaternion(np.zeros((2, 4))), "wxyz: a quaternion of length 0"),
+    ],
+)
+def test_what_is_no_pose_is_not_converted(call, words):
+    with pytest.raises(TaskError, match=words):
+        call()
