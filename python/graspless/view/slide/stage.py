@@ -56,6 +56,8 @@ def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
 def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = None) -> Camera:
     """Places the camera beside the robot and beyond the edge, so that the grasp is visible.
 
+    A pinch, which ends at no edge, is seen from the side on which the nearest obstacle is not.
+
     Parameters
     ----------
     shown : Film
@@ -73,7 +75,8 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     outward[2] = ahead[2] = 0
     ahead /= max(np.linalg.norm(ahead), 1e-6)
     aside = np.array([-ahead[1], ahead[0], 0.0])
-    aside *= 1 if outward @ aside >= 0 else -1
+    towards = -_to_obstacle(shown) if shown.plan.kind == "pinch" else outward
+    aside *= 1 if towards @ aside >= 0 else -1
     outward /= max(np.linalg.norm(outward), 1e-6)
     # Never from behind the robot, whose shoulder would hide everything.
     direction = aside + 0.45 * outward + max(0.35, outward @ ahead) * ahead
@@ -82,6 +85,13 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     eye = middle + 2.7 * direction
     points = _seen(shown, [row for row, _ in moments(shown)] if rows is None else rows)
     return Camera(eye, middle).fitted(points, width, height)
+
+
+def _to_obstacle(shown: Film) -> Matrix:
+    """Returns the way from the object to the nearest obstacle [3]; 0 if there is none."""
+    p_WO = shown.object_poses[0][:3, 3]
+    ways = [np.asarray(body.X_WB)[:3, 3] - p_WO for body in shown.plan.task.problem.obstacles]
+    return min(ways, key=lambda way: float(np.linalg.norm(way)), default=np.zeros(3))
 
 
 def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
