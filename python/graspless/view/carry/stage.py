@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from ..film import Film
 
 
+NEAR, SMALL = 0.1, 0.6  # distance and size of things that a picture must contain [m]
+
+
 class Scene:
     """Bodies of a carry, made once, and their poses at each row."""
 
@@ -40,6 +43,8 @@ class Scene:
 def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     """Places the camera beside the robot, a little in front of it and above.
 
+    It sees robot and object at all rows, and what is small and near them.
+
     Parameters
     ----------
     scene : Scene
@@ -49,14 +54,13 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
         Width and height of the picture.
     """
     shown = scene.shown
-    points = np.concatenate(
-        [
-            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-            for row in rows
-            for body, X_WB in scene.moving(row)
-            for part in body.parts
-        ]
-    )
+    points = np.concatenate([_vertices(*placed) for row in rows for placed in scene.moving(row)])
+    low, high = points.min(axis=0) - NEAR, points.max(axis=0) + NEAR
+    for placed in (placed for placed in scene.still if placed[0].parts):
+        beside = _vertices(*placed)
+        is_small = np.ptp(beside, axis=0).max() < SMALL
+        if is_small and (beside > low).all(axis=1).any() and (beside < high).all(axis=1).any():
+            points = np.concatenate([points, beside])
     base, thing = shown.link_poses[0, 0, :3, 3], shown.object_poses[0][:3, 3]
     ahead = thing - base
     ahead[2] = 0
@@ -65,3 +69,8 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     eye = middle + 3.0 * toward / np.linalg.norm(toward)
     return Camera(eye, middle).fitted(points, *shape)
+
+
+def _vertices(body: Body, X_WB: Matrix) -> Matrix:
+    """Returns the vertices of a body in the world [N, 3]."""
+    return np.concatenate([part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3] for part in body.parts])
