@@ -30,14 +30,6 @@ def require_integer(name: str, value: Any, least: int, most: float = math.inf) -
     return number
 
 
-def require_within(name: str, value: Any, most: float, *, or_zero: bool = False) -> None:
-    """Raises TaskError unless the value is a number above 0, or 0 itself, and at most `most`."""
-    if not (or_zero and isinstance(value, numbers.Real) and value == 0):
-        require_above_zero(name, value)
-    if not float(value) <= most:
-        raise TaskError(f"{name}: {value!r}: should be at most {most:g}")
-
-
 def require_number(name: str, value: Any) -> None:
     """Raises TaskError unless the value is a number, possibly infinite or NaN."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
@@ -49,6 +41,13 @@ def require_above_zero(name: str, value: Any) -> None:
     require_number(name, value)
     if not float(value) > 0:
         raise TaskError(f"{name}: {value!r}: should be above 0")
+
+
+def require_within(name: str, value: Any, least: float, most: float) -> None:
+    """Raises TaskError unless the value is a number from `least` to `most`."""
+    require_number(name, value)
+    if not least <= value <= most:
+        raise TaskError(f"{name}: {value!r}: should lie in [{least:g}, {most:g}]")
 
 
 def require_type(name: str, value: Any, *types: type) -> None:

@@ -57,7 +57,7 @@ def given_packages(options: argparse.Namespace) -> dict[str, str]:
     return packages
 
 
-_INPUTS = ("task", "plan", "scene", "file", "files")
+_INPUTS = ("task", "plan", "scene", "file", "files", "robot", "arm", "gripper")
 _OUTPUTS = {"output": "--output", "png": "--png", "html": "--html"}
 
 
@@ -70,7 +70,8 @@ def require_apart(options: argparse.Namespace) -> None:
     for name in _INPUTS:
         given = getattr(options, name, None) or []
         for path in [given] if isinstance(given, str) else given:
-            taken[os.path.realpath(path)] = "an input of this command"
+            if os.path.isfile(path):  # not the name of a robot
+                taken[os.path.realpath(path)] = "an input of this command"
     for name, flag in _OUTPUTS.items():
         path = getattr(options, name, None)
         if path is None or path == "-" or (os.path.exists(path) and not os.path.isfile(path)):

@@ -29,11 +29,15 @@ def plan_type(kind: str) -> Any:
 
 
 def missing_motion(plan: Any) -> str:
-    """Returns the first part of a plan that has no rows; an empty text if all have some."""
-    for stage in getattr(plan, "stages", [plan]):
-        if not stage.segments:
-            return f"segments: []: the {stage.kind} plan has none"
-        for segment in stage.segments:
+    """Returns what a solved plan lacks to move anything; an empty text if it lacks nothing."""
+    stages = getattr(plan, "stages", [plan])
+    for stage in stages:
+        joints = getattr(stage, "joint_segments", ())
+        if stage and getattr(stage._task, "arm", None) is not None and not joints:
+            return f"the {stage.kind} plan has no joint paths"
+        for segment in [*stage.segments, *joints]:
             if not len(segment):
                 return f"segment '{segment.name}' of the {stage.kind} plan has no rows"
-    return ""
+        if not stage.segments:
+            return f"the {stage.kind} plan has no segments"
+    return "" if stages else f"the {plan.kind} plan has no stages"

@@ -337,10 +337,19 @@ def test_check_finds_a_stage_without_motion(document, tmp_path, stage):
     segments = document["stages"][stage]["segments"]
     segments[-1]["positions"], segments[-1]["object_poses"] = [], []
     faults = graspless.check(reread(document, tmp_path / "rows.json"))
-    assert any(f"'{segments[-1]['name']}' of the" in fault for fault in faults)
+    assert any(fault.startswith(f"stage {stage} ") for fault in faults)
     segments.clear()
     faults = graspless.check(reread(document, tmp_path / "segments.json"))
-    assert any("plan has none" in fault for fault in faults)
+    assert any(fault.startswith(f"stage {stage} ") for fault in faults)
+
+
+def test_a_chain_without_stages_is_not_run(document, tmp_path):
+    document |= {"stages": [], "names": [], "joins": [], "segments": []}
+    empty = reread(document, tmp_path / "plan.json")
+    for use in (graspless.time, graspless.simulate):
+        with pytest.raises(graspless.TaskError, match="the chain plan has no stages: nothing to"):
+            use(empty)
+    assert graspless.check(empty)
 
 
 def test_check_finds_another_task(document, tmp_path):

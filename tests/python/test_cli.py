@@ -127,6 +127,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "-o", "task.yaml"], "task.yaml: would replace an input"),
         (["plan", "task.yaml", "--html", "./task.yaml"], "task.yaml: would replace an input"),
         (["plan", "task.yaml", "--html", "plan.json"], "would replace the file of --output"),
+        (["robot", "join", "a.urdf", "b.urdf", "--mount", "m", "-o", "a.urdf"], "replace an input"),
         (["view", "plan.json", "--html", "plan.json"], "plan.json: would replace an input"),
         (["see", "scene.npz"], "scene.yaml: scene.npz beside it would replace an input"),
         (["pick", ".", "a", "--robot", "wam_t42"], ".: is a folder, not a file"),
@@ -146,6 +147,8 @@ def test_check_says_what_does_not_hold(task, capsys):
 def test_bad_input_exits_2_with_one_message(task, capsys, arguments, what):
     pathlib.Path("words.txt").write_text("nothing of ours")
     pathlib.Path("task.json").write_text('{"kind": "slide", "robot": {}}')
+    pathlib.Path("a.urdf").write_text("<robot/>")
+    pathlib.Path("scene.npz").write_bytes(b"")
     pathlib.Path("plan.json").write_text('{"format": 1, "segments": []}')
     code, out, err = run(capsys, *arguments)
     assert (code, out) == (2, "")

@@ -15,6 +15,7 @@ from graspless import TaskError, fingertip, frames
 from graspless.tasks.fingertip.motions import angle_to_next_face, edge
 from tasks_common import fault
 
+ON_EDGE = 0.025 * (math.sin(0.5) + math.cos(0.5))  # height of a tilted block [m]
 BOX = "box: [0.05, 0.10, 0.05]"
 SLIDE = "slide: {translation: [0.05, 0, 0], segments: 6}"
 TETRAHEDRON = (
@@ -176,9 +177,9 @@ FAULTS = [
         r"motion.goal.pose: must differ from the start",
     ),
     (
-        (SLIDE, "goal: {pose: {position: [0.05, 0, 0.1], rpy: [0.5, 0, 0]}}"),
+        (SLIDE, f"goal: {{pose: {{position: [0.05, 0, {ON_EDGE}], rpy: [0, 0.5, 0]}}}}"),
         9,
-        r"motion.goal.pose: ",
+        r"motion.goal.pose: must have a face .* flush on 'floor'",
     ),
     (
         (SLIDE, "goal: {pose: {position: [0.05, 0, 0.5]}}"),
@@ -196,6 +197,7 @@ FAULTS = [
         r"motion.sequence\[1\].slide.pose: .*a step starts where the one before it ended",
     ),
     ((SLIDE, "turn: {angle: 4.7, segments: 1}"), 9, r"motion.turn: .*4.7.* may turn by 3 rad"),
+    ((SLIDE, "turn: {angle: 90}"), 9, r"motion.turn.angle: 90: .* 2 turns; angles are in radians"),
     ((SLIDE, "slide: {translation: [0, 0, 1]}"), 9, r"motion.slide: .*lifts off every plane"),
     ((SLIDE, "sequence: [{}]"), 9, r"motion.sequence\[0\]: exactly one of slide, turn, tumble"),
     (more("carrier: {fingertips: [a, b]}"), 1, r"carrier is for a robot, and none is given"),
@@ -242,7 +244,7 @@ def test_mesh_in_millimetres_and_its_density(write, tmp_path):
 @pytest.mark.parametrize(
     ("change", "what"),
     [
-        ((SLIDE, "turn: {angle: 90}"), r":9: motion.turn.angle: 90: .*more than a turn; .*radians"),
+        ((SLIDE, "turn: {angle: 7}"), r":9: motion.turn.angle: 7: .*more than a turn; .*radians"),
         (("radius: 0.01", "radius: 10"), r"fingers.radius: 10.*lengths are in metres"),
     ],
 )

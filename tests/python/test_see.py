@@ -167,13 +167,13 @@ def with_support(problem, support):
 def test_see_says_why_nothing_was_found(folder, capsys):
     with np.load(folder / "frame.npz") as frame:
         np.savez(folder / "mm.npz", depth=1000 * frame["depth"], K=frame["K"], X_WC=frame["X_WC"])
-    code = main(["see", str(folder / "mm.npz"), "-o", str(folder / "mm.yaml"), "--json"])
+    code = main(["see", str(folder / "mm.npz"), "-o", str(folder / "none.yaml"), "--json"])
     summary = json.loads(capsys.readouterr().out)
     assert code == 1
     assert summary["status"] == "not_metres"
-    assert not perception.load_scene(folder / "mm.yaml")
+    assert not perception.load_scene(folder / "none.yaml")
     with pytest.raises(TaskError, match="nothing was found in this scene: the median depth"):
-        load(folder, TASK.replace("scene.yaml", "mm.yaml"))
+        load(folder, TASK.replace("scene.yaml", "none.yaml"))
 
 
 def test_see_averages_frames_and_joins_views(folder, capsys):

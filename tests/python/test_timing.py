@@ -3,6 +3,7 @@
 """Plans in time keep every limit, go through their rows, and rest where contacts change."""
 
 import copy
+import json
 import re
 
 import numpy as np
@@ -15,6 +16,7 @@ from graspless.errors import install_command
 from graspless.robot import Robot
 from graspless.timing import rates, settings
 from graspless.timing import slide as slide_timing
+from tasks_common import reread
 from timing_common import planned, timed
 
 ARMS = ["slide", "clasp", "carried"]
@@ -273,6 +275,16 @@ def test_bare_fingertips_of_a_plan_with_an_arm():
     assert bare.joint_names == []
     assert [s.name for s in bare.segments] == [s.name for s in plan.segments]
     np.testing.assert_allclose(bare.object_poses[-1], with_arm.object_poses[-1], atol=1e-6)
+
+
+def test_an_arm_without_joint_paths_is_not_timed(tmp_path):
+    document = json.loads(planned("carried").to_json())
+    document["realization"]["segments"][1] |= {"positions": [], "object_poses": []}
+    with pytest.raises(TaskError, match="'touch' of the fingertip plan has no rows: nothing to"):
+        graspless.time(reread(document, tmp_path / "rows.json"))
+    document["realization"]["segments"] = []
+    with pytest.raises(TaskError, match="the fingertip plan has no joint paths: nothing to time"):
+        graspless.time(reread(document, tmp_path / "none.json"))
 
 
 def test_bare_fingertips_of_a_plan_that_its_arm_cannot_carry_out():

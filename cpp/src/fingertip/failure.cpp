@@ -3,6 +3,7 @@
 //
 // Reasons why a route was not found: geometry, stability or time.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <string>
@@ -15,6 +16,7 @@
 #include "fingertip/model/clearance.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
+#include "fingertip/search/heuristic.hpp"
 #include "planning/plan_within.hpp"
 
 namespace graspless::fingertip {
@@ -65,7 +67,7 @@ bool leads_to_goal(const PoseGraph& graph) {
   std::set<std::pair<double, int>> open;  // distance to the goal, pose
   std::vector<bool> is_known(static_cast<std::size_t>(graph.num_poses()));
   const auto push = [&](int pose) {
-    if (pose < 0 || is_known[static_cast<std::size_t>(pose)]) return;
+    if (is_known[static_cast<std::size_t>(pose)]) return;
     is_known[static_cast<std::size_t>(pose)] = true;
     open.emplace((graph.X_WO(pose).translation() - p_W).norm(), pose);
   };
@@ -75,7 +77,7 @@ bool leads_to_goal(const PoseGraph& graph) {
     const int pose = open.extract(open.begin()).value().second;
     if (pose == graph.goal()) return true;
     for (int move = 0; move < graph.num_moves(); ++move) {
-      if (graph.next(pose, move) >= 0 && graph.kind(pose, move) >= 0) push(graph.next(pose, move));
+      if (graph.kind(pose, move) >= 0) push(graph.next(pose, move));
     }
   }
   return false;
@@ -86,7 +88,9 @@ void blame_geometry_of_lattice(const PoseGraph& graph, Plan& plan) {
   for (int l = 0; l < graph.locations.size(); ++l) {
     if (graph.is_clear(graph.start(), l) && graph.is_clear(graph.goal(), l)) ++num_clear;
   }
-  const bool is_open = leads_to_goal(graph);
+  const bool is_free = graph.locations.size() == 0 ||  // at the poses, which is soon known
+                       std::isfinite(RemainingDistance(graph).to_goal(0)[graph.start()]);
+  const bool is_open = is_free && leads_to_goal(graph);
   if (is_open && num_clear >= graph.num_fingers) return;
   plan.status = Status::no_location;
   if (!is_open) {

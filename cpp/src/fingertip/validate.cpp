@@ -206,13 +206,6 @@ void check_axis(const std::string& name, double lower, double upper, int count, 
                     std::to_string(step));
 }
 
-void check_differ(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal,
-                  double distance, double angle) {
-  const Eigen::Isometry3d X = X_WO_start.inverse() * X_WO_goal;
-  if (X.translation().norm() > distance || !X.linear().isIdentity(angle)) return;
-  refuse("motion.X_WO_goal", "must differ from the start");
-}
-
 void check_lattice(const Problem& problem, Clearance& clearance, const Lattice& lattice) {
   const auto& counts = lattice.counts;
   if (1.0 * counts[0] * counts[1] * counts[2] > kMaxLatticePoses) {
@@ -241,7 +234,9 @@ void check_lattice(const Problem& problem, Clearance& clearance, const Lattice& 
   if (yaws > 1 && (lattice.upper[2] - lattice.lower[2]) / (yaws - 1) > kMaxTurn) {
     refuse("motion: lattice along yaw", "one step turns by more than 3 rad: take more values");
   }
-  check_differ(lattice.X_WO_start, lattice.X_WO_goal, kOnLattice, kOnLattice);
+  if (std::max({std::abs(p.x()), std::abs(p.y()), std::abs(yaw)}) <= kOnLattice) {
+    refuse("motion.X_WO_goal", "must differ from the start");
+  }
 }
 
 void check_goal(const Problem& problem, Clearance& clearance, const Goal& goal) {
@@ -265,7 +260,10 @@ void check_goal(const Problem& problem, Clearance& clearance, const Goal& goal) 
   const double rolled = 2 * problem.object.size() * (goal.max_tumbles + 1);
   require_poses("slide_step", distance + rolled, goal.slide_step);
   require_poses("turn_step", M_PI * (goal.max_tumbles + 1), goal.turn_step);
-  check_differ(goal.X_WO_start, goal.X_WO_goal, 1e-9 * problem.object.size(), 1e-9);
+  const Eigen::Isometry3d X = goal.X_WO_start.inverse() * goal.X_WO_goal;
+  if (X.linear().isIdentity(1e-9) && X.translation().norm() < 1e-9 * problem.object.size()) {
+    refuse("motion.X_WO_goal", "must differ from the start");
+  }
   const ContactStates states(problem.object);
   standing_face(problem, states, goal.X_WO_start, "motion.X_WO_start");
   standing_face(problem, states, goal.X_WO_goal, "motion.X_WO_goal");

@@ -142,7 +142,7 @@ class Plan(AnyPlan):
             faults += [f"stage {k} '{name}': {fault}" for fault in own]
         missing = missing_motion(self)
         if missing:
-            return [*faults, f"plan: {missing}"]
+            return faults or [f"plan: {missing}"]
         asked = self.task.problem.stages
         return faults + check_joins(asked, self.names, self.stages, self.joins, self.contents)
 

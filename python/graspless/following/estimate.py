@@ -65,8 +65,8 @@ class Noise:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            or_zero = field.name not in ("position", "angle")  # of which the filter takes inverses
-            require_within(field.name, getattr(self, field.name), 1.6, or_zero=or_zero)
+            least = 1e-6 if field.name in ("position", "angle") else 0  # the filter inverts these
+            require_within(field.name, getattr(self, field.name), least, 1.6)
 
 
 class Estimate:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -16,25 +17,22 @@ if TYPE_CHECKING:
 
 
 _COUNTS = ("look_poses", "resumes", "restarts")
-_ABOVE_ZERO = {  # largest values
-    "gain": 20.0,
-    "speed": 0.1,
-    "turn_speed": 1.0,
-    "acceleration": 1.0,
-    "turn_acceleration": 10.0,
-    "brake_seconds": 10.0,
-    "lift": 1.0,
-    "joint_tolerance": 3.2,
-    "plan_seconds": 1e6,
-    "resume_seconds": 1e6,
-    "search_seconds": 1e6,
-    "rate": 10_000.0,
-}
-_FROM_ZERO = {
-    **dict.fromkeys(("look_seconds", "settle_seconds", "settle_most", "between"), 1e6),
-    **dict.fromkeys(("blind_seconds", "lost_seconds", "joint_seconds"), 1e6),
-    **dict.fromkeys(("correct", "grasp_correct", "shift", "stand_off", "settled"), 0.2),
-    **dict.fromkeys(("correct_angle", "grasp_correct_angle", "shift_angle", "settled_angle"), 1.6),
+_RANGES = {
+    "gain": (0.01, 20.0),
+    "speed": (1e-4, 0.1),
+    "turn_speed": (1e-3, 1.0),
+    "acceleration": (1e-3, 1.0),
+    "turn_acceleration": (1e-2, 10.0),
+    "brake_seconds": (0.02, 10.0),
+    "lift": (1e-3, 1.0),
+    "joint_tolerance": (1e-3, 3.2),
+    "rate": (1.0, 10_000.0),
+    **dict.fromkeys(("plan_seconds", "resume_seconds", "search_seconds"), (1e-9, math.inf)),
+    **dict.fromkeys(("look_seconds", "settle_seconds", "settle_most", "between"), (0, math.inf)),
+    **dict.fromkeys(("blind_seconds", "lost_seconds", "joint_seconds"), (0, math.inf)),
+    **dict.fromkeys(("correct", "grasp_correct", "shift", "stand_off", "settled"), (0, 0.2)),
+    **dict.fromkeys(("correct_angle", "grasp_correct_angle"), (0, 1.6)),
+    **dict.fromkeys(("shift_angle", "settled_angle"), (0, 1.6)),
 }
 
 
@@ -100,7 +98,7 @@ class Settings:
     Raises
     ------
     TaskError
-        A value is not a number, or out of its range, which the message says.
+        A value is no number, or outside its range. The message has the range.
     """
 
     noise: Noise = field(default_factory=Noise)
@@ -141,10 +139,8 @@ class Settings:
             raise TaskError(f"noise: {self.noise!r}: should be a following.Noise")
         for name in _COUNTS:
             require_integer(name, getattr(self, name), least=0)
-        for name, most in _ABOVE_ZERO.items():
-            require_within(name, getattr(self, name), most)
-        for name, most in _FROM_ZERO.items():
-            require_within(name, getattr(self, name), most, or_zero=True)
+        for name, (least, most) in _RANGES.items():
+            require_within(name, getattr(self, name), least, most)
 
 
 @dataclass(frozen=True)

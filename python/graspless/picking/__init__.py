@@ -111,7 +111,7 @@ def pick(
     began = time.monotonic()
     asked = require_strategies(strategies)
     best_of = require_integer("best_of", best_of, least=1)
-    seed = require_integer("seed", seed, least=0, most=2**63 - 1)
+    seed = require_integer("seed", seed, least=0, most=2**64 - 1)
     require_above_zero("seconds", seconds)
     require_number("lift", lift)
     for field, value in (("mass", mass), ("grip_force", grip_force), ("max_age", max_age)):

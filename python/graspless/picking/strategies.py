@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass, replace
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,9 +30,9 @@ FLAT = 0.9  # part of an object that is as high as its top if it is flat
 LEAST_SECONDS = 1e-3
 
 
-def require_strategies(strategies: Sequence[str]) -> list[str]:
+def require_strategies(strategies: Iterable[str]) -> list[str]:
     """Returns the strategies. Raises TaskError unless all are known and each is named once."""
-    if not isinstance(strategies, (str, list, tuple)):
+    if not isinstance(strategies, Iterable):
         raise TaskError(f"strategies: {strategies!r}: should be a list of names")
     asked = [strategies] if isinstance(strategies, str) else list(strategies)
     for name in asked:

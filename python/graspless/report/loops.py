@@ -103,10 +103,7 @@ def as_text(loops: geometry.Loops) -> str:
         lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}{through}")
     lines += unclear
     if loops.meridians:
-        around = (
-            "1 loop that runs"
-            if len(loops.meridians) == 1
-            else (f"{len(loops.meridians)} loops that run")
-        )
+        run = "runs" if len(loops.meridians) == 1 else "run"
+        around = f"{count(len(loops.meridians), 'loops')} that {run}"
         lines.append(f"  left out: {around} around a thick handle instead of along it")
     return "\n".join([*lines, *found])

@@ -64,7 +64,7 @@ def _read_ply(path: Path) -> Matrix:
 def _read_xyz(path: Path) -> Matrix:
     """Three numbers a line; further columns (colours, normals) and # comments are skipped."""
     rows = []
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+    for number, line in enumerate(path.read_text(encoding="utf-8-sig").splitlines(), 1):
         words = line.split("#")[0].replace(",", " ").split()
         if not words:
             continue

@@ -174,7 +174,7 @@ def _read_xml(
     except ValueError as error:
         raise source.error(location, str(error)) from None
     if not text.strip():
-        raise source.error(location, "is empty")
+        raise source.error(location, f"{path.name} is empty")
     return text
 
 

@@ -159,10 +159,9 @@ def _advice(kind: str, value: Any) -> str:
 
 def _is_number(text: str) -> bool:
     try:
-        float(text)
+        return math.isfinite(float(text))
     except ValueError:
         return False
-    return True
 
 
 def _fields_at(model: Any, location: Location) -> set[str]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from .. import files
 from ..errors import TaskError, missing
-from ..kinds import part
+from ..kinds import missing_motion, part
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -49,7 +49,12 @@ def write_png(plan: Plan, path: str | Path) -> None:
 
 
 def figure(plan: Plan) -> Figure:
-    """Returns the picture of a plan, as `write_png` draws it, as a figure of matplotlib."""
+    """Returns the picture of a plan, as `write_png` draws it, as a figure of matplotlib.
+
+    Raises TaskError if a solved plan has no rows to draw.
+    """
+    if plan and (missing := missing_motion(plan)):
+        raise TaskError(f"{missing}: nothing to draw")
     with _told():
         drawn: Figure = part("view", plan.kind, "picture").draw(plan)
     return drawn

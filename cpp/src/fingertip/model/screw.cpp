@@ -107,9 +107,8 @@ Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point
     throw std::invalid_argument("angle must be finite and not zero, not " + std::to_string(angle));
   }
   if (!(std::abs(angle) <= kMaxTurn * segments)) {
-    throw std::invalid_argument("angle " + std::to_string(angle) + " rad in " +
-                                std::to_string(segments) +
-                                " segments: each may turn by 3 rad at most; angles are in radians");
+    throw std::invalid_argument("angle " + std::to_string(angle) + " rad: each of the segments (" +
+                                std::to_string(segments) + ") may turn by 3 rad at most");
   }
   const Eigen::Translation3d to_point(point_W), from_point(-point_W);
   Path path;

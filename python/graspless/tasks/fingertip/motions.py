@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     Motion = fingertip.Path | fingertip.Lattice | fingertip.Goal
 
 DIRECTIONS = {"+x": [1, 0, 0], "-x": [-1, 0, 0], "+y": [0, 1, 0], "-y": [0, -1, 0]}
+MOST_TURNS = 2  # of an object; more are degrees taken for radians
 UP = np.array([0.0, 0.0, 1.0])
 
 
@@ -101,7 +102,11 @@ class _Walk:
         elif fields.pose is not None:
             what = "must not be given: a step starts where the one before it ended"
             raise self.source.error((*place, name, "pose"), what)
-        if abs(getattr(fields, "angle", None) or 0.0) > 2 * math.pi:
+        turns = abs(getattr(fields, "angle", None) or 0.0) / (2 * math.pi)
+        if turns > MOST_TURNS:
+            what = f"is more than {MOST_TURNS} turns; angles are in radians"
+            raise self.source.error((*place, name, "angle"), what)
+        if turns > 1 + 1e-3:
             what = "is more than a turn; angles are in radians"
             warnings.warn(self.source.message((*place, name, "angle"), what), stacklevel=6)
         with at(self.source, *place, name):

@@ -384,6 +384,7 @@ TEST(Lattice, RefusesWhatIsNoLattice) {
   refused(block_problem({0.1, 0, 0.55}, lower, upper, {11, 11, 11}), "lattice along yaw");
   refused(block_problem({0.1, 0, 0}, lower, upper, {11, 0, 11}), "counts must be 1");
   refused(block_problem({0, 0, 0}, lower, upper, {11, 11, 11}), "must differ");
+  refused(block_problem({9e-7, 9e-7, 0}, lower, upper, {11, 11, 11}), "must differ");
   refused(block_problem({0.1, 0, kPi}, lower, {0.1, 0.1, kPi}, {11, 11, 2}), "more than 3 rad");
   Problem problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
   problem.planes.push_back({"wall", -Eigen::Vector3d::UnitX(), -0.11});
