@@ -112,8 +112,10 @@ def _find_urdf(
     if field == "name":
         with at(source, *place), uncounted():  # it may download
             return described(name)
+    if path.is_dir():
+        raise source.error(place, absence(path))
     names = ", ".join(_data.robots())
-    what = f"{absence(path)}, nor a robot that comes with graspless (one of: {names})"
+    what = f"no such file, nor a robot that comes with graspless (one of: {names})"
     raise source.error(place, what)
 
 
