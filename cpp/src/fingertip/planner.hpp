@@ -36,6 +36,9 @@ Route search(const PoseGraph& graph, SearchContext& context, planning::Clock& cl
              Statistics& statistics, double limit = std::numeric_limits<double>::infinity(),
              bool needs_regrasp = false);
 
+/// Throws std::invalid_argument that names the pose or the axis unless the motion is one.
+void check_motion(const Problem& problem);
+
 /// plan() without validation and explanation.
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock);
 
