@@ -154,23 +154,24 @@ Complex Filtration::complex(double max_edge_length) const {
   Complex result;
   result.points = data_->points;
   result.max_edge_length = max_edge_length;
-  result.edges.resize(2, static_cast<Eigen::Index>(all.edges.size()));
+  const auto is_in = [=](double longest) { return longest < max_edge_length; };
+  result.edges.resize(2, std::count_if(all.lengths.begin(), all.lengths.end(), is_in));
   Eigen::Index n = 0;
   Pulse pulse;
   for (std::size_t e = 0; e < all.edges.size(); ++e) {
     pulse();
-    if (!(all.lengths[e] < max_edge_length)) continue;
-    result.edges.col(n++) << all.edges[e][0], all.edges[e][1];
+    if (is_in(all.lengths[e])) result.edges.col(n++) << all.edges[e][0], all.edges[e][1];
   }
-  result.edges.conservativeResize(2, n);
-  result.triangles.resize(3, static_cast<Eigen::Index>(all.triangles.size()));
+  result.triangles.resize(3, std::count_if(all.triangles.begin(), all.triangles.end(),
+                                           [&](const Simplices::Triangle& triangle) {
+                                             return is_in(triangle.longest_edge);
+                                           }));
   n = 0;
   for (const auto& triangle : all.triangles) {
     pulse();
-    if (!(triangle.longest_edge < max_edge_length)) continue;
+    if (!is_in(triangle.longest_edge)) continue;
     result.triangles.col(n++) << triangle.vertices[0], triangle.vertices[1], triangle.vertices[2];
   }
-  result.triangles.conservativeResize(3, n);
   return result;
 }
 

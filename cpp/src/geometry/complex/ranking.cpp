@@ -3,9 +3,11 @@
 #include "geometry/complex/ranking.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
+#include "geometry/ascending.hpp"
 #include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
@@ -39,22 +41,6 @@ class DisjointSets {
   std::vector<int> parent_;  // of a root: minus the size of its set
 };
 
-std::vector<int> by_length(const Simplices& simplices) {
-  std::vector<std::pair<double, int>> sorted;
-  sorted.reserve(simplices.lengths.size());
-  for (const double length : simplices.lengths)
-    sorted.emplace_back(length, static_cast<int>(sorted.size()));
-  Pulse pulse;
-  std::sort(sorted.begin(), sorted.end(), [&](const auto& a, const auto& b) {
-    pulse();
-    return a < b;
-  });
-  std::vector<int> order;
-  order.reserve(sorted.size());
-  for (const auto& [length, edge] : sorted) order.push_back(edge);
-  return order;
-}
-
 /// Indices of triangles sorted by the rank of their longest edge, stable.
 std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std::size_t n) {
   std::vector<int> next(n + 1);
@@ -84,7 +70,7 @@ void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ra
 
 Ranking ranking(const Simplices& simplices) {
   Ranking result;
-  const std::vector<int> order = by_length(simplices);
+  const std::vector<int> order = ascending(simplices.lengths);  // edges
   result.rank.resize(order.size());
   result.lengths.reserve(order.size());
   result.makes_loop.reserve(order.size());

@@ -28,39 +28,52 @@ constexpr double kBehind = 4;  // depth at which a point hides behind another, i
 class DepthBuffer {
  public:
   DepthBuffer(const Eigen::Matrix3Xd& points, double spacing)
-      : points_(points), cell_(kCell * spacing), behind_(kBehind * spacing) {}
+      : points_(points.transpose()), cell_(kCell * spacing), behind_(kBehind * spacing) {}
 
   double share(const Eigen::Vector3d& towards) {
     const Eigen::Vector3d x = towards.unitOrthogonal(), y = towards.cross(x);
-    const Eigen::RowVectorXd u = x.transpose() * points_, v = y.transpose() * points_;
-    const Eigen::RowVectorXd height = towards.transpose() * points_;
-    const double left = u.minCoeff(), low = v.minCoeff();
-    const auto width = static_cast<std::size_t>((u.maxCoeff() - left) / cell_) + 1;
-    const auto rows = static_cast<std::size_t>((v.maxCoeff() - low) / cell_) + 1;
-    nearest_.assign(width * rows, -std::numeric_limits<double>::infinity());
-    pixel_.resize(static_cast<std::size_t>(u.size()));
+    const Eigen::ArrayXd u = along(x), v = along(y), height = along(towards);
+    project(u, v);
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      const auto at = static_cast<std::size_t>((v[i] - low) / cell_) * width +
-                      static_cast<std::size_t>((u[i] - left) / cell_);
-      pixel_[static_cast<std::size_t>(i)] = at;
-      nearest_[at] = std::max(nearest_[at], height[i]);
+      double& nearest = nearest_[static_cast<std::size_t>(pixel_[i])];
+      nearest = std::max(nearest, height[i]);
     }
     Eigen::Index hidden = 0;
     const auto share = [&] {
       return static_cast<double>(u.size() - hidden) / static_cast<double>(u.size());
     };
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      hidden += !(height[i] > nearest_[pixel_[static_cast<std::size_t>(i)]] - behind_);
+      hidden += !(height[i] > nearest_[static_cast<std::size_t>(pixel_[i])] - behind_);
       if (i % 64 == 0 && share() < kNearlyAll) return 0;
     }
     return share();
   }
 
  private:
-  const Eigen::Matrix3Xd& points_;
+  Eigen::ArrayXd along(const Eigen::Vector3d& direction) const {
+    return direction.x() * points_.col(0) + direction.y() * points_.col(1) +
+           direction.z() * points_.col(2);
+  }
+
+  /// Finds the pixels of points, and clears all. There are about 10^6 at most, as kCell spacings
+  /// are no less than a thousandth of the cloud.
+  void project(const Eigen::ArrayXd& u, const Eigen::ArrayXd& v) {
+    const double left = u.minCoeff(), low = v.minCoeff();
+    const int width = static_cast<int>((u.maxCoeff() - left) / cell_) + 1;
+    const int rows = static_cast<int>((v.maxCoeff() - low) / cell_) + 1;
+    nearest_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(rows),
+                    -std::numeric_limits<double>::infinity());
+    pixel_.resize(u.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      pixel_[i] =
+          static_cast<int>((v[i] - low) / cell_) * width + static_cast<int>((u[i] - left) / cell_);
+    }
+  }
+
+  const Eigen::ArrayX3d points_;
   double cell_, behind_;
-  std::vector<double> nearest_;     // of each pixel
-  std::vector<std::size_t> pixel_;  // of each point
+  std::vector<double> nearest_;  // of each pixel
+  Eigen::ArrayXi pixel_;         // of each point
 };
 
 }  // namespace

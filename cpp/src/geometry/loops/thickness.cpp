@@ -71,11 +71,16 @@ class CrossSection {
   /// Removes and returns the points connected to the loop by steps of at most `gap`: the handle,
   /// without other parts that the plane cuts.
   std::vector<Eigen::Vector2d> take_connected(double gap) {
+    constexpr double kRounding = 1e-9;
+    const double least = gap * gap * (1 - kRounding), most = gap * gap * (1 + kRounding);
     std::vector<Eigen::Vector2d> piece, open{Eigen::Vector2d::Zero()};
     while (!open.empty()) {
       const Eigen::Vector2d from = open.back();
       open.pop_back();
-      const auto far = [&](const Eigen::Vector2d& p) { return (p - from).norm() > gap; };
+      const auto far = [&](const Eigen::Vector2d& p) {
+        const double squared = (p - from).squaredNorm();
+        return squared > most || (squared >= least && std::sqrt(squared) > gap);
+      };
       const auto near = std::partition(points_.begin(), points_.end(), far);
       piece.insert(piece.end(), near, points_.end());
       open.insert(open.end(), near, points_.end());

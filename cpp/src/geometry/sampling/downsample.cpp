@@ -25,15 +25,8 @@ int nearest_to_mean(const Eigen::Matrix3Xd& points, const int* begin, const int*
   });
 }
 
-}  // namespace
-
-std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
-  require_points(points, "points");
-  if (!(cell > 0 && cell <= kMaxLength)) {
-    throw std::invalid_argument("cell must be in (0, " + std::to_string(kMaxLength) + "] m, not " +
-                                std::to_string(cell));
-  }
-  const PointGrid grid(points, cell);
+/// The point nearest to the mean of each cell, ascending.
+std::vector<int> one_of_each(const Eigen::Matrix3Xd& points, const PointGrid& grid) {
   std::vector<int> kept;
   for (int c = 0; c < grid.num_cells(); ++c) {
     poll();
@@ -44,6 +37,17 @@ std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
   return kept;
 }
 
+}  // namespace
+
+std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
+  require_points(points, "points");
+  if (!(cell > 0 && cell <= kMaxLength)) {
+    throw std::invalid_argument("cell must be in (0, " + std::to_string(kMaxLength) + "] m, not " +
+                                std::to_string(cell));
+  }
+  return one_of_each(points, PointGrid(points, cell));
+}
+
 std::vector<int> downsample_to(const Eigen::Matrix3Xd& points, int count) {
   constexpr int kAttempts = 12;
   constexpr double kTolerance = 0.08;  // relative to `count`
@@ -51,8 +55,9 @@ std::vector<int> downsample_to(const Eigen::Matrix3Xd& points, int count) {
   if (!(sides.norm() > 0)) return {0};  // all points are equal
   double cell = sides.norm() / std::sqrt(count);
   for (int i = 0; i < kAttempts; ++i) {
-    const double factor = PointGrid(points, cell).num_cells() / static_cast<double>(count);
-    if (std::abs(factor - 1) <= kTolerance) break;
+    const PointGrid grid(points, cell);
+    const double factor = grid.num_cells() / static_cast<double>(count);
+    if (std::abs(factor - 1) <= kTolerance) return one_of_each(points, grid);
     cell *=
         std::sqrt(factor);  // the number of cells on a surface falls with the square of their size
   }

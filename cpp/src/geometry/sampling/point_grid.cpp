@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "graspless/watch.hpp"
+#include "geometry/pulse.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -29,8 +29,9 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
   table_.assign(std::size_t{1} << (64 - shift_), -1);
 
   std::vector<int> cell_of(static_cast<std::size_t>(n));
+  Pulse pulse;
   for (int i = 0; i < n; ++i) {
-    poll();
+    pulse();
     const int c = find_or_insert(key_of(points.col(i)));
     cell_of[static_cast<std::size_t>(i)] = c;
     ++first_[static_cast<std::size_t>(c)];
