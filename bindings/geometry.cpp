@@ -670,7 +670,9 @@ void bind_loops(py::module_& m) {
       Field{"polish", &LoopOptions::polish,
             "Shorten the loops of a downsampled cloud on all its points, at most 10^6."},
       Field{"drop_meridians", &LoopOptions::drop_meridians,
-            "Discard loops that run around a thick handle instead of along it."});
+            "Discard loops that run around a thick handle instead of along it."},
+      Field{"threads", &LoopOptions::threads,
+            "Number of threads that share the polishing, in [1, 256]. Loops do not depend on it."});
 
   py::native_enum<LoopStatus>(m, "LoopStatus", "enum.Enum", "Outcome of shortest_loops().")
       .value("found", LoopStatus::found, "At least one loop was found.")
@@ -728,15 +730,17 @@ void bind_shortest_loops(py::module_& m) {
   m.def(
       "shortest_loops",
       [](const Array& points, std::optional<double> max_edge_length, double min_ratio,
-         int max_points, bool polish, bool drop_meridians, const std::vector<RayImage>& rays) {
+         int max_points, bool polish, bool drop_meridians, int threads,
+         const std::vector<RayImage>& rays) {
         return shortest_loops_released(
-            points, {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians},
+            points,
+            {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians, threads},
             rays);
       },
       py::arg("points"), py::arg("max_edge_length") = py::none(), py::kw_only(),
       py::arg("min_ratio") = defaults.min_ratio, py::arg("max_points") = defaults.max_points,
       py::arg("polish") = defaults.polish, py::arg("drop_meridians") = defaults.drop_meridians,
-      py::arg("rays") = std::vector<RayImage>{},
+      py::arg("threads") = defaults.threads, py::arg("rays") = std::vector<RayImage>{},
       R"(Finds the shortest loops through the holes of the object that a cloud was taken from.
 
 They are shortest bases of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
@@ -748,7 +752,7 @@ points : (N, 3) array
     Points on the object's surface [m], in any frame.
 max_edge_length : float, optional
     d of K_d [m]. None: each hole has its own.
-min_ratio, max_points, polish, drop_meridians : optional
+min_ratio, max_points, polish, drop_meridians, threads : optional
     See LoopOptions.
 rays : list of RayImage, optional
     Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.

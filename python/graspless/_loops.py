@@ -79,6 +79,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--json", action="store_true", help="print the loops and the Betti curve as JSON"
     )
+    parser.add_argument(
+        "--threads", type=int, default=1, metavar="N", help="threads that share the polishing"
+    )
     parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
     parser.set_defaults(run=_run)
 
@@ -94,6 +97,7 @@ def _run(options: argparse.Namespace) -> int:
     asked = geometry.LoopOptions()
     asked.max_edge_length = asked.max_edge_length if options.edge is None else options.edge
     asked.polish = options.polish
+    asked.threads = options.threads
     try:
         found = geometry.shortest_loops(cloud, asked, rays)
     except ValueError as error:

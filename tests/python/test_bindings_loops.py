@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 
-from graspless import geometry
+from graspless import clasp, geometry
 from graspless.geometry import (
     Box,
     Capsule,
@@ -80,9 +80,20 @@ def test_options_are_keywords_or_an_object():
     positional = shortest_loops(RING, LoopOptions(max_edge_length=0.05))
     assert positional.found[0].vertices == given.found[0].vertices
     options = LoopOptions()
-    for name in ("min_ratio", "max_points", "polish"):
+    for name in ("min_ratio", "max_points", "polish", "threads"):
         assert f"{name}: " in shortest_loops.__doc__
         assert f"{name}={getattr(options, name)!r}" in repr(options)
+
+
+def test_threads_change_no_loop():
+    cloud = sample_surface(clasp.sample_object("lawn_mower"), 30000)
+    one, *others = (
+        shortest_loops(cloud, polish=True, threads=threads).found for threads in (1, 2, 4)
+    )
+    assert one[0].length < shortest_loops(cloud).found[0].length
+    for other in others:
+        assert [loop.vertices for loop in other] == [loop.vertices for loop in one]
+        assert [loop.length for loop in other] == [loop.length for loop in one]
 
 
 def test_no_hole_is_a_status():
@@ -111,6 +122,7 @@ def test_what_looks_wrong_is_warned_of():
         (lambda: shortest_loops(RING * [1, 1, 0]), "lie in a plane"),
         (lambda: shortest_loops(RING, -1), "max_edge_length must be in"),
         (lambda: shortest_loops(RING, min_ratio=0.5), "min_ratio must be greater than 1"),
+        (lambda: shortest_loops(RING, threads=0), r"threads must be in \[1, 256\], not 0"),
         (lambda: shortest_loops(RING, max_points=1), "max_points must be in"),
         (lambda: geometry.clasp_targets(RING, 0), "count must be positive"),
         (lambda: geometry.clasp_targets([[0, 0, 0]] * 3, 2), "loop must have"),

@@ -7,7 +7,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "fingertip/crew.hpp"
+#include "crew.hpp"
 #include "mechanics/equilibrium/springs.hpp"
 
 namespace graspless::fingertip {

@@ -549,7 +549,7 @@ class LoopOptions:
     """
     Options of shortest_loops().
     """
-    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True) -> None:
+    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -596,6 +596,14 @@ class LoopOptions:
         """
     @polish.setter
     def polish(self, arg0: bool) -> None:
+        ...
+    @property
+    def threads(self) -> int:
+        """
+        Number of threads that share the polishing, in [1, 256]. Loops do not depend on it.
+        """
+    @threads.setter
+    def threads(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 class LoopStatus(enum.Enum):
     """
@@ -972,7 +980,7 @@ def seen_heights(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
         2e7 voxels of two cells' height below the top, or no height.
     """
 @typing.overload
-def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
+def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
     """
     Finds the shortest loops through the holes of the object that a cloud was taken from.
     
@@ -985,7 +993,7 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
         Points on the object's surface [m], in any frame.
     max_edge_length : float, optional
         d of K_d [m]. None: each hole has its own.
-    min_ratio, max_points, polish, drop_meridians : optional
+    min_ratio, max_points, polish, drop_meridians, threads : optional
         See LoopOptions.
     rays : list of RayImage, optional
         Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.

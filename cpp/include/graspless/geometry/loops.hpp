@@ -62,6 +62,8 @@ struct LoopOptions {
   bool polish = false;
   /// Discard loops that run around a thick handle instead of along it.
   bool drop_meridians = true;
+  /// Number of threads that share the polishing, in [1, 256]. Loops do not depend on it.
+  int threads = 1;
 };
 
 /// Throws std::invalid_argument that names the option, its value and the allowed range.

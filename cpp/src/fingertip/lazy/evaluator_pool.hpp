@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "fingertip/crew.hpp"
+#include "crew.hpp"
 #include "fingertip/model/evaluator.hpp"
 
 namespace graspless::fingertip {

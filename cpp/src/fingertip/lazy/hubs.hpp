@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "fingertip/crew.hpp"
+#include "crew.hpp"
 #include "fingertip/lazy/candidates.hpp"
 
 namespace graspless::fingertip {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "fingertip/crew.hpp"
+#include "crew.hpp"
 #include "fingertip/lazy/bounds.hpp"
 #include "fingertip/lazy/candidates.hpp"
 #include "fingertip/lazy/displacements.hpp"

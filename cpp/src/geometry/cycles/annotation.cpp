@@ -213,10 +213,15 @@ Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
       bits_[e * static_cast<std::size_t>(words_) + b / 64] |= Word{1} << (b % 64);
     }
   }
+  find_zeros();
 }
 
-bool Annotation::is_zero(int edge) const {
-  return std::all_of(of(edge), of(edge) + words_, [](Word word) { return word == 0; });
+void Annotation::find_zeros() {
+  is_zero_.resize(bits_.size() / static_cast<std::size_t>(words_));
+  for (std::size_t e = 0; e < is_zero_.size(); ++e) {
+    const Word* label = of(static_cast<int>(e));
+    is_zero_[e] = std::all_of(label, label + words_, [](Word word) { return word == 0; });
+  }
 }
 
 }  // namespace graspless::geometry

@@ -3,11 +3,19 @@
 #include "geometry/cycles/edge_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace graspless::geometry {
+namespace {
 
-EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int)>& weight)
+constexpr double kBuckets = 32;        // per mean shortest arc of a vertex: each holds few vertices
+constexpr double kMostBuckets = 1024;  // per mean arc, where points lie in tight pairs
+
+}  // namespace
+
+EdgeGraph::EdgeGraph(const Complex& complex, const EdgeWeight& weight)
     : first_(static_cast<std::size_t>(complex.points.cols()) + 1, 0), first_edge_(first_) {
   const auto count = static_cast<std::size_t>(complex.edges.cols());
   ends_.resize(count);
@@ -33,6 +41,23 @@ EdgeGraph::EdgeGraph(const Complex& complex, const std::function<double(int, int
     add(ends_[e].a, ends_[e].b, e);
     add(ends_[e].b, ends_[e].a, e);
   }
+  bucket_width_ = narrow();
+}
+
+/// Weights make long arcs so much longer that their mean would put all vertices in few buckets.
+double EdgeGraph::narrow() const {
+  double shortest = 0, all = 0;
+  int count = 0;
+  for (const double length : lengths_) all += length;
+  for (int v = 0; v < num_vertices(); ++v) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Arc& arc : arcs(v)) least = std::min(least, arc.length);
+    if (std::isinf(least)) continue;
+    shortest += least;
+    ++count;
+  }
+  if (count == 0) return 1;
+  return std::max(shortest / count / kBuckets, all / num_edges() / kMostBuckets);
 }
 
 int EdgeGraph::edge(int a, int b) const {

@@ -9,6 +9,9 @@
 
 namespace graspless::geometry {
 
+/// Factor of the length of the edge between two points.
+using EdgeWeight = std::function<double(int, int)>;
+
 /// Adjacency lists of the points of a complex.
 class EdgeGraph {
  public:
@@ -22,8 +25,7 @@ class EdgeGraph {
     const Arc* end() const { return last; }
   };
 
-  /// `weight`: factor of the length of the edge between two points.
-  explicit EdgeGraph(const Complex& complex, const std::function<double(int, int)>& weight = {});
+  explicit EdgeGraph(const Complex& complex, const EdgeWeight& weight = {});
 
   int num_vertices() const { return static_cast<int>(first_.size()) - 1; }
   int num_edges() const { return static_cast<int>(ends_.size()); }
@@ -42,17 +44,22 @@ class EdgeGraph {
   };
   Ends ends(int edge) const { return ends_[static_cast<std::size_t>(edge)]; }
   double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
+  /// Width of buckets of distances that hold few vertices each [m].
+  double bucket_width() const { return bucket_width_; }
   /// Index of the edge between two vertices, or -1.
   int edge(int a, int b) const;
   /// Removes all arcs to and from a vertex. The edges keep their indices.
   void remove(int vertex);
 
  private:
+  double narrow() const;
+
   std::vector<int> first_, last_;  // range of each vertex in arcs_; first_ has one more entry
   std::vector<int> first_edge_;    // of each smaller end, and the number of edges
   std::vector<Arc> arcs_;
   std::vector<Ends> ends_;
   std::vector<double> lengths_;
+  double bucket_width_ = 1;
 };
 
 }  // namespace graspless::geometry

@@ -14,17 +14,12 @@ constexpr double kOverSum = 1 + 1e-9;  // for rounded sums of lengths
 
 }  // namespace
 
-RootedCycles::RootedCycles(EdgeGraph graph, const Annotation& annotation)
+RootedCycles::RootedCycles(const EdgeGraph& graph, const Annotation& annotation)
     : annotation_(annotation),
-      graph_(std::move(graph)),
-      paths_(graph_),
+      paths_(graph),
       words_(static_cast<std::size_t>(annotation.words())),
-      is_zero_(static_cast<std::size_t>(graph_.num_edges())),
-      path_classes_(words_ == 1 ? 0 : static_cast<std::size_t>(graph_.num_vertices()) * words_),
-      sum_(words_) {
-  for (int e = 0; e < graph_.num_edges(); ++e)
-    is_zero_[static_cast<std::size_t>(e)] = annotation.is_zero(e);
-}
+      path_classes_(words_ == 1 ? 0 : static_cast<std::size_t>(graph.num_vertices()) * words_),
+      sum_(words_) {}
 
 bool RootedCycles::is_before(const ClosingEdge& one, const ClosingEdge& other) {
   return std::tie(one.length, one.a, one.b) < std::tie(other.length, other.a, other.b);

@@ -23,8 +23,8 @@ class RootedCycles {
     int a, b, edge;  // the edge and its ends, the one farther from the root first
   };
 
-  /// The labels must outlive this object.
-  RootedCycles(EdgeGraph graph, const Annotation& annotation);
+  /// Graph and labels must outlive this object. Arcs of the graph may be removed between calls.
+  RootedCycles(const EdgeGraph& graph, const Annotation& annotation);
 
   /// Closing edges of the nontrivial cycles of at most `longest` [m] through a root, shortest
   /// first. Valid until the next call.
@@ -37,9 +37,6 @@ class RootedCycles {
   Cycle cycle(const ClosingEdge& edge) const;
   /// Distance of a vertex to the last root [m]; infinite beyond half of `longest`.
   double distance(int vertex) const { return paths_.reached_distance(vertex); }
-  const EdgeGraph& graph() const { return graph_; }
-  /// Excludes a vertex from all further paths.
-  void remove(int vertex) { graph_.remove(vertex); }
 
  private:
   using Word = Annotation::Word;
@@ -47,7 +44,7 @@ class RootedCycles {
 
   void set_path_class(int vertex) {
     const int parent = paths_.parent(vertex), via = paths_.via(vertex);
-    if (words_ == 1 && parent >= 0 && is_zero_[static_cast<std::size_t>(via)]) {
+    if (words_ == 1 && parent >= 0 && annotation_.is_zero(via)) {
       paths_.tag(vertex) = paths_.tag(parent);
     } else {
       add_to_path_class(vertex);
@@ -56,8 +53,7 @@ class RootedCycles {
   void add_to_path_class(int vertex);
   /// True if an edge and the paths from its ends to the root form a boundary.
   bool is_trivial(int a, int b, int edge) {
-    if (words_ == 1 && is_zero_[static_cast<std::size_t>(edge)])
-      return paths_.tag(a) == paths_.tag(b);
+    if (words_ == 1 && annotation_.is_zero(edge)) return paths_.tag(a) == paths_.tag(b);
     return is_trivial_sum(a, b, edge);
   }
   bool is_trivial_sum(int a, int b, int edge);
@@ -67,10 +63,8 @@ class RootedCycles {
   }
 
   const Annotation& annotation_;
-  EdgeGraph graph_;
   ShortestPaths paths_;
   std::size_t words_;
-  std::vector<char> is_zero_;  // per edge: true if its label is zero
   /// Classes of the paths from the root to settled vertices. Those of one word are tags of paths_.
   std::vector<Word> path_classes_;
   std::vector<Word> sum_;

@@ -58,7 +58,8 @@ class Search {
  public:
   Search(const Complex& complex, const EdgeGraph& graph, const Annotation& annotation)
       : complex_(complex),
-        cycles_(graph, annotation),
+        graph_(graph),
+        cycles_(graph_, annotation),
         basis_(annotation),
         margin_(complex.max_edge_length),
         limits_(static_cast<std::size_t>(graph.num_vertices()),
@@ -78,7 +79,7 @@ class Search {
       }
       limit_others(edges, longest, rest);
     }
-    cycles_.remove(root);  // all cycles through it have been offered
+    graph_.remove(root);  // all cycles through it have been offered
   }
   std::vector<ClassCycle> cycles() const { return basis_.cycles(); }
 
@@ -115,6 +116,7 @@ class Search {
 
   static constexpr double kSlack = 1 + 1e-9;  // for rounded sums of lengths
   const Complex& complex_;
+  EdgeGraph graph_;
   RootedCycles cycles_;
   CycleBasis basis_;
   double margin_;

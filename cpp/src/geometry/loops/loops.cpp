@@ -250,6 +250,8 @@ void validate(const LoopOptions& options) {
           "greater than 1 and finite");
   require(options.max_points >= 100 && options.max_points <= 1000000, "max_points",
           options.max_points, "in [100, 1000000]");
+  require(options.threads >= 1 && options.threads <= 256, "threads", options.threads,
+          "in [1, 256]");
 }
 
 Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
@@ -279,7 +281,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   }
   if (result.complex.edges.cols() == 0) result.surface = {};
   if (options.max_edge_length == 0) result.plateau = plateau_of(result);
-  if (downsamples && options.polish) polish(points, result.found);
+  if (downsamples && options.polish) polish(points, options.threads, result.found);
   report(filtration, options, result);
   return result;
 }

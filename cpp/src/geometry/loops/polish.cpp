@@ -4,13 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "graspless/watch.hpp"
 
+#include "crew.hpp"
 #include "geometry/cycles/rooted_cycles.hpp"
 #include "geometry/sampling/hilbert_order.hpp"
 
@@ -24,14 +30,45 @@ constexpr double kSlack = 1.001;   // of the bound on the length, against roundi
 
 using Class = std::vector<Annotation::Word>;
 
-/// For each corner, the nearest point of the full cloud. Consecutive duplicates are dropped.
-Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& corners) {
-  Cycle vertices;
-  for (Eigen::Index i = 0; i < corners.cols(); ++i) {
-    poll();
+/// Finds the nearest point of a cloud whose neighbours are mostly close in memory.
+class NearestPoint {
+ public:
+  explicit NearestPoint(const Eigen::Matrix3Xd& points) : points_(points) {
+    for (Eigen::Index first = 0; first < points.cols(); first += kPoints) {
+      const auto members = points.middleCols(first, std::min(kPoints, points.cols() - first));
+      boxes_.emplace_back(members.rowwise().minCoeff(), members.rowwise().maxCoeff());
+    }
+  }
+
+  int operator()(const Eigen::Vector3d& p) const {
+    constexpr double kRounding = 1 - 1e-9;
+    double least = std::numeric_limits<double>::infinity();
     Eigen::Index nearest = 0;
-    (points.colwise() - corners.col(i)).colwise().squaredNorm().minCoeff(&nearest);
-    const auto vertex = static_cast<int>(nearest);
+    for (std::size_t box = 0; box < boxes_.size(); ++box) {
+      if (boxes_[box].squaredExteriorDistance(p) * kRounding > least) continue;
+      const auto first = static_cast<Eigen::Index>(box) * kPoints;
+      for (Eigen::Index i = first; i < std::min(first + kPoints, points_.cols()); ++i) {
+        const double squared = (points_.col(i) - p).squaredNorm();
+        if (squared >= least) continue;
+        least = squared;
+        nearest = i;
+      }
+    }
+    return static_cast<int>(nearest);
+  }
+
+ private:
+  static constexpr Eigen::Index kPoints = 64;
+  const Eigen::Matrix3Xd& points_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+};
+
+/// For each corner, the nearest point of the full cloud. Consecutive duplicates are dropped.
+Cycle nearest_vertices(const NearestPoint& nearest, const Eigen::Matrix3Xd& corners) {
+  Cycle vertices;
+  for (const auto& corner : corners.colwise()) {
+    poll();
+    const int vertex = nearest(corner);
     if (vertices.empty() || vertices.back() != vertex) vertices.push_back(vertex);
   }
   while (vertices.size() > 1 && vertices.back() == vertices.front()) vertices.pop_back();
@@ -40,17 +77,18 @@ Cycle nearest_vertices(const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& c
 
 class LoopPolisher {
  public:
-  /// The lengths are those of `graph`. Points and labels must outlive this object.
-  LoopPolisher(const Eigen::Matrix3Xd& points, EdgeGraph graph, const Annotation& annotation)
+  /// Points, graph and labels must outlive this object.
+  LoopPolisher(const Eigen::Matrix3Xd& points, const EdgeGraph& graph, const Annotation& annotation)
       : points_(points),
         annotation_(annotation),
-        cycles_(std::move(graph), annotation),
-        graph_(cycles_.graph()),
-        paths_(graph_) {}
+        graph_(graph),
+        cycles_(graph, annotation),
+        paths_(graph) {}
 
-  /// Returns an empty cycle if the loop cannot be traced on the full cloud.
-  Cycle polish(const Eigen::Matrix3Xd& loop) {
-    const Cycle cycle = traced(nearest_vertices(points_, loop));
+  /// Shortens the loop through these points of the full cloud. Returns an empty cycle if it cannot
+  /// be traced on edges.
+  Cycle polish(const Cycle& corners) {
+    const Cycle cycle = traced(corners);
     return cycle.empty() ? cycle : shortened(cycle);
   }
 
@@ -117,90 +155,124 @@ class LoopPolisher {
 
   const Eigen::Matrix3Xd& points_;
   const Annotation& annotation_;
-  RootedCycles cycles_;
   const EdgeGraph& graph_;
+  RootedCycles cycles_;
   ShortestPaths paths_;
+};
+
+/// Replaces a loop by a cycle that is shorter. `order[i]` is the caller's index of point i.
+void replace(Loop& loop, const Complex& whole, const Cycle& cycle, const Resolution& resolution,
+             const std::vector<int>& order) {
+  if (cycle.empty()) return;
+  const double length = cycle_length(whole.points, cycle);
+  if (length >= loop.length) return;
+  loop.points = whole.points(Eigen::all, cycle);
+  loop.vertices.clear();
+  for (const int vertex : cycle) loop.vertices.push_back(order[static_cast<std::size_t>(vertex)]);
+  loop.length = length;
+  loop.gap = resolution.widest_gap(cycle);
+}
+
+/// A graph of the edges of a complex, made where it is first needed, and its polishers. Several
+/// threads may use it at once.
+class Polishers {
+ public:
+  Polishers(const Complex& complex, const std::optional<Annotation>& annotation, EdgeWeight weight)
+      : complex_(complex), weight_(std::move(weight)), spares_([this, &annotation] {
+          return std::make_unique<LoopPolisher>(complex_.points, graph(), *annotation);
+        }) {}
+
+  const EdgeGraph& graph() {
+    std::call_once(made_, [this] { graph_.emplace(complex_, weight_); });
+    return *graph_;
+  }
+
+  /// Calls `work` with a polisher that no other thread uses.
+  Cycle operator()(const std::function<Cycle(LoopPolisher&)>& work) { return spares_.lend(work); }
+
+ private:
+  const Complex& complex_;
+  const EdgeWeight weight_;
+  std::once_flag made_;
+  std::optional<EdgeGraph> graph_;
+  Spares<LoopPolisher> spares_;
 };
 
 /// Cycles of one complex, with the labels of its edges. They are computed once, where needed.
 class Polish {
  public:
-  explicit Polish(const Complex& complex) : complex_(complex) {}
+  explicit Polish(const Complex& complex) : plain_(complex, annotation_, {}), complex_(complex) {}
 
-  std::vector<Cycle> traced(const std::vector<Eigen::Matrix3Xd>& loops) {
-    label();
-    LoopPolisher polisher(complex_.points, *graph_, *annotation_);
-    std::vector<Cycle> cycles;
-    for (const Eigen::Matrix3Xd& loop : loops) cycles.push_back(polisher.polish(loop));
-    return cycles;
+  /// Labels the edges. Must come before traced().
+  void label() { annotation_.emplace(complex_, plain_.graph()); }
+
+  Cycle traced(const Cycle& corners) {
+    return plain_([&](LoopPolisher& polisher) { return polisher.polish(corners); });
   }
 
-  std::vector<Cycle> around_gaps(const Resolution& resolution, std::vector<Cycle> cycles) {
-    std::optional<LoopPolisher> polisher;  // most clouds need none
-    for (Cycle& cycle : cycles) {
-      if (resolution.widest_gap(cycle) == 0) continue;
-      if (!polisher) {
-        const auto weight = [&](int a, int b) {  // short edges stay near the material
-          const double relative = resolution.relative_length(a, b);
-          return std::max(1.0, relative * relative);
-        };
-        label();
-        polisher.emplace(complex_.points, EdgeGraph(complex_, weight), *annotation_);
-      }
-      Cycle moved = polisher->shortened(cycle);
-      if (!moved.empty()) cycle = std::move(moved);
-    }
-    return cycles;
+  Cycle around_gaps(const Resolution& resolution, Cycle cycle) {
+    if (resolution.widest_gap(cycle) == 0) return cycle;  // as in most clouds
+    std::call_once(weighted_made_, [&] {
+      if (!annotation_) label();
+      weighted_ = std::make_unique<Polishers>(complex_, annotation_, [&resolution](int a, int b) {
+        const double relative = resolution.relative_length(a, b);  // short edges stay near
+        return std::max(1.0, relative * relative);                 // the material
+      });
+    });
+    Cycle moved = (*weighted_)([&](LoopPolisher& polisher) { return polisher.shortened(cycle); });
+    return moved.empty() ? cycle : moved;
   }
 
  private:
-  void label() {
-    if (annotation_) return;
-    graph_.emplace(complex_);
-    annotation_.emplace(complex_, *graph_);
-  }
-
-  const Complex& complex_;
-  std::optional<EdgeGraph> graph_;
   std::optional<Annotation> annotation_;
+  Polishers plain_;
+  std::once_flag weighted_made_;
+  std::unique_ptr<Polishers> weighted_;
+  const Complex& complex_;
 };
 
 }  // namespace
 
 std::vector<Cycle> around_gaps(const Complex& complex, const Resolution& resolution,
                                std::vector<Cycle> cycles) {
-  return Polish(complex).around_gaps(resolution, std::move(cycles));
+  Polish polish(complex);
+  for (Cycle& cycle : cycles) cycle = polish.around_gaps(resolution, std::move(cycle));
+  return cycles;
 }
 
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops) {
-  return Polish(whole).traced(loops);
+  const NearestPoint nearest(whole.points);
+  Polish polish(whole);
+  polish.label();
+  std::vector<Cycle> cycles;
+  for (const Eigen::Matrix3Xd& loop : loops)
+    cycles.push_back(polish.traced(nearest_vertices(nearest, loop)));
+  return cycles;
 }
 
-void polish(const Eigen::Matrix3Xd& points, std::vector<Loop>& loops) {
+void polish(const Eigen::Matrix3Xd& points, int threads, std::vector<Loop>& loops) {
   if (loops.empty()) return;
+  Crew crew(threads);
   // Neighbours in space are close in memory, which makes every pass over them quicker.
   const std::vector<int> order = morton_order(points);
   const Filtration filtration(points(Eigen::all, order), "points");
+  const NearestPoint nearest(filtration.points());
   std::map<double, std::vector<Loop*>> by_scale;
   for (Loop& loop : loops) by_scale[loop.max_edge_length].push_back(&loop);
   for (const auto& [d, group] : by_scale) {
-    std::vector<Eigen::Matrix3Xd> curves;
-    for (const Loop* loop : group) curves.push_back(loop->points);
     const Complex whole = filtration.complex(d);
-    const Resolution resolution(whole);
+    std::optional<Resolution> resolution;
     Polish polish(whole);
-    const std::vector<Cycle> cycles = polish.around_gaps(resolution, polish.traced(curves));
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-      if (cycles[i].empty()) continue;
-      const double length = cycle_length(whole.points, cycles[i]);
-      if (length >= group[i]->length) continue;
-      group[i]->points = whole.points(Eigen::all, cycles[i]);
-      group[i]->vertices.clear();
-      for (const int vertex : cycles[i])
-        group[i]->vertices.push_back(order[static_cast<std::size_t>(vertex)]);
-      group[i]->length = length;
-      group[i]->gap = resolution.widest_gap(cycles[i]);
-    }
+    crew.share(2, [&](std::size_t part) {
+      if (part == 0) return polish.label();
+      resolution.emplace(whole);
+    });
+    const std::vector<Loop*>& members = group;
+    crew.share(members.size(), [&](std::size_t i) {
+      const Cycle corners = nearest_vertices(nearest, members[i]->points);
+      const Cycle cycle = polish.around_gaps(*resolution, polish.traced(corners));
+      replace(*members[i], whole, cycle, *resolution, order);
+    });
   }
   std::stable_sort(loops.begin(), loops.end(),
                    [](const Loop& a, const Loop& b) { return a.length < b.length; });

@@ -23,7 +23,8 @@ std::vector<Cycle> around_gaps(const Complex& complex, const Resolution& resolut
 std::vector<Cycle> polished(const Complex& whole, const std::vector<Eigen::Matrix3Xd>& loops);
 
 /// Replaces loops of a downsampled cloud by shorter ones of the same class on all its points (3 x
-/// n), around gaps. Sorts them by length.
-void polish(const Eigen::Matrix3Xd& points, std::vector<Loop>& loops);
+/// n), around gaps. Sorts them by length. Threads share the loops, which do not depend on their
+/// number.
+void polish(const Eigen::Matrix3Xd& points, int threads, std::vector<Loop>& loops);
 
 }  // namespace graspless::geometry

@@ -115,6 +115,7 @@ def in_force(fields: ClaspTask, problem: clasp.Problem, options: clasp.Options) 
 def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
     """Returns the task file of a problem, without options and budget."""
     thing = problem.object
+    loops = [name for name in LoopOptions.model_fields if name != "threads"]  # changes no loop
     return {
         "robot": robot_fields(problem.robot, problem.q_start),
         "hand": hand_in_force(problem.hand).model_dump(),
@@ -122,7 +123,7 @@ def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
             **struct_fields(thing, ["name", "points"]),
             "pose": pose_fields(problem.X_WO),
             "rays": [rays_fields(image) for image in thing.rays],
-            "loops": struct_fields(thing.loop_options, list(LoopOptions.model_fields)),
+            "loops": struct_fields(thing.loop_options, loops),
         },
         "clasp": {
             **struct_fields(problem, ["loops", "marks"]),

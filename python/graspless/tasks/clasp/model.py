@@ -54,6 +54,9 @@ class LoopOptions(Fields):
     drop_meridians: bool | None = Field(
         default=None, description="discard loops that run around a handle, not along it"
     )
+    threads: Annotated[int, Field(ge=1, le=256)] | None = Field(
+        default=None, description="threads that share the polishing; loops do not depend on it"
+    )
 
 
 class Object(Fields):

@@ -3,8 +3,12 @@
 #include "geometry/loops/polish.hpp"
 
 #include <set>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "graspless/clasp/sample_objects.hpp"
+#include "graspless/geometry/sampling.hpp"
 
 #include "geometry/clouds.hpp"
 #include "geometry/cycles/homology_oracle.hpp"
@@ -51,6 +55,34 @@ TEST(Polish, KeepsTheClassAndIsNoLonger) {
       const Chain both = oracle.chain(polish[i]) ^ oracle.chain(basis[i]);
       EXPECT_FALSE(ChainSpace(oracle.boundaries()).add(both));  // together they bound
     }
+  }
+}
+
+TEST(Polish, IsTheSameForAnyNumberOfThreads) {
+  LoopOptions options;
+  const Eigen::Matrix3Xd cloud = sample_surface(clasp::sample_object("lawn_mower"), 30000);
+  const Loops coarse = shortest_loops(cloud, options);
+  options.polish = true;
+  const Loops one = shortest_loops(cloud, options);
+  ASSERT_EQ(one.found.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(one.found[i].length, coarse.found[i].length);
+  for (const int threads : {2, 4}) {
+    options.threads = threads;
+    const Loops more = shortest_loops(cloud, options);
+    ASSERT_EQ(more.found.size(), one.found.size());
+    for (std::size_t i = 0; i < one.found.size(); ++i) {
+      EXPECT_EQ(more.found[i].vertices, one.found[i].vertices);
+      EXPECT_EQ(more.found[i].length, one.found[i].length);
+      EXPECT_EQ(more.found[i].gap, one.found[i].gap);
+    }
+  }
+}
+
+TEST(Polish, RefusesNumbersOfThreadsOutOfRange) {
+  LoopOptions options;
+  for (const int threads : {0, 257}) {
+    options.threads = threads;
+    EXPECT_THROW(validate(options), std::invalid_argument);
   }
 }
 

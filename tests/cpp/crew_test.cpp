@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Items are taken once each, whatever the number of threads, and all have ended when a job has.
-#include "fingertip/crew.hpp"
+#include "crew.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@
 
 #include "graspless/watch.hpp"
 
-namespace graspless::fingertip {
+namespace graspless {
 namespace {
 
 TEST(Crew, TakesEveryItemOnce) {
@@ -86,4 +86,4 @@ TEST(Crew, CancelWaitsForItemsUnderWay) {
 }
 
 }  // namespace
-}  // namespace graspless::fingertip
+}  // namespace graspless

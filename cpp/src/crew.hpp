@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that share the work of one search.
+// Threads that share the work of one call. Every room may include this header.
 #pragma once
 
 #include <atomic>
@@ -8,12 +8,13 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
-namespace graspless::fingertip {
+namespace graspless {
 
 /// Shares items among the thread that made it and its helpers. Results must not depend on the
 /// thread that takes an item.
@@ -62,4 +63,44 @@ class Crew {
   bool stop_ = false;
 };
 
-}  // namespace graspless::fingertip
+/// Things that one thread at a time works with. One more is made where all are in use.
+template <class Thing>
+class Spares {
+ public:
+  using Make = std::function<std::unique_ptr<Thing>()>;
+  explicit Spares(Make make) : make_(std::move(make)) {}
+
+  /// Makes things until there are `count`, while none is in use.
+  void stock(std::size_t count) {
+    while (idle_.size() < count) idle_.push_back(make_());
+  }
+
+  /// Calls `work` with a thing that no other thread uses.
+  template <class Work>
+  auto lend(const Work& work) {
+    std::unique_ptr<Thing> thing = take();
+    auto result = work(*thing);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(thing));
+    return result;
+  }
+
+ private:
+  std::unique_ptr<Thing> take() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!idle_.empty()) {
+        std::unique_ptr<Thing> thing = std::move(idle_.back());
+        idle_.pop_back();
+        return thing;
+      }
+    }
+    return make_();
+  }
+
+  const Make make_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Thing>> idle_;
+};
+
+}  // namespace graspless

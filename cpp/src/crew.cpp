@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads that share the work of one search.
-#include "fingertip/crew.hpp"
+// Threads that share the work of one call.
+#include "crew.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 
 #include "graspless/watch.hpp"
 
-namespace graspless::fingertip {
+namespace graspless {
 namespace {
 
 // Jobs follow each other within tens of microseconds: worth staying awake for.
@@ -116,4 +116,4 @@ void Crew::take(Job& job) {
   }
 }
 
-}  // namespace graspless::fingertip
+}  // namespace graspless
