@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "collision/clearance_cells.hpp"
 #include "collision/clearance_tree.hpp"
@@ -33,6 +34,14 @@ Clearance::Clearance(const geometry::Mesh& mesh, double cell) {
 Clearance::Clearance(const Clearance& other)
     : tree_(other.tree_),
       cells_(std::make_unique<ClearanceCells>(other.tree_, other.cells_->cell())) {}
+
+Clearance::Clearance(std::shared_ptr<const ClearanceTree> tree,
+                     std::unique_ptr<ClearanceCells> cells)
+    : tree_(std::move(tree)), cells_(std::move(cells)) {}
+
+Clearance Clearance::with_cells() const {
+  return {tree_, std::make_unique<ClearanceCells>(*cells_)};
+}
 
 Clearance& Clearance::operator=(const Clearance& other) { return *this = Clearance(other); }
 

@@ -24,6 +24,23 @@ ClearanceCells::ClearanceCells(std::shared_ptr<const ClearanceTree> tree, double
   clear();
 }
 
+ClearanceCells::ClearanceCells(const ClearanceCells& other)
+    : tree_(other.tree_),
+      cell_(other.cell_),
+      root_(other.root_),
+      per_root_(other.per_root_),
+      slots_(other.slots_),
+      shift_(other.shift_),
+      roots_(other.roots_),
+      last_key_(other.last_key_),
+      last_root_(other.last_root_) {
+  blocks_.reserve(other.blocks_.size());
+  for (const auto& block : other.blocks_) {
+    poll();
+    blocks_.push_back(std::make_unique<Block>(*block));
+  }
+}
+
 void ClearanceCells::clear() {
   slots_.assign(std::size_t{1} << kFirstBits, {0, -1});
   shift_ = 64 - kFirstBits;

@@ -24,6 +24,7 @@ namespace graspless::collision {
 class ClearanceCells {
  public:
   ClearanceCells(std::shared_ptr<const ClearanceTree> tree, double cell);
+  ClearanceCells(const ClearanceCells& other);
 
   double cell() const { return cell_; }
   /// True if the point is near enough to the origin for cells to have numbers there.

@@ -178,6 +178,14 @@ TEST(Clearance, BoundsDoNotDependOnWhatWasAskedBefore) {
     const Vector3d p = random_point(rng, 0.4);
     EXPECT_EQ(used.bounds(p).lower, fresh.bounds(p).lower);
   }
+  Clearance copy = used.with_cells();
+  for (const double reach : {0.4, 2.0}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vector3d p = random_point(rng, reach);
+      EXPECT_EQ(copy.bounds(p).upper, used.bounds(p).upper);
+      EXPECT_EQ(copy.bounds(p, 0.1).lower, used.bounds(p, 0.1).lower);
+    }
+  }
 }
 
 TEST(Clearance, ForgetsWhenTheGridGrowsTooLarge) {

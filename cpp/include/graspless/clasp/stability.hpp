@@ -27,6 +27,7 @@ struct StabilityOptions {
   double escape_distance = 0;
   double force = 2.5, torque = 0.15;
   std::uint64_t seed = 1;  ///< of the random moves
+  int threads = 1;
 };
 
 /// Table of the members: name, unit, text, range and source.
@@ -60,7 +61,10 @@ constexpr auto fields(const StabilityOptions&) {
             "Moment about the mean of the object's points that they should withstand together with "
             "the force. Where both are 0, forces are not tested.",
             Range::closed(0, 1e6)},
-      Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()});
+      Field{"seed", &Options::seed, "", "Seed of the random moves.", Range::not_negative()},
+      Field{"threads", &Options::threads, "",
+            "Number of threads that share sequences and loads. Results do not depend on it.",
+            Range::closed(1, 256)});
 }
 
 /// Throws std::invalid_argument that names the option, its value and what it may be.

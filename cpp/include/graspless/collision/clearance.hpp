@@ -32,6 +32,8 @@ class GRASPLESS_API Clearance {
   Clearance(Clearance&&) noexcept;
   Clearance& operator=(Clearance&&) noexcept;
   ~Clearance();
+  /// A copy that begins with the cells of this one.
+  Clearance with_cells() const;
 
   /// Distance of a point to the surface, exact up to rounding; infinite if it is above `limit` [m].
   double distance(const Eigen::Vector3d& point,
@@ -50,6 +52,7 @@ class GRASPLESS_API Clearance {
   Bounds rough_bounds(const Eigen::Vector3d& point, double threshold);
 
  private:
+  Clearance(std::shared_ptr<const ClearanceTree> tree, std::unique_ptr<ClearanceCells> cells);
   Bounds exactly(const Eigen::Vector3d& point) const;
 
   std::shared_ptr<const ClearanceTree> tree_;

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -39,6 +41,15 @@ struct CellHash {
       hash = (hash ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15u;
     return static_cast<std::size_t>(hash ^ (hash >> 32));
   }
+};
+
+/// What is known of the points near the hand, and of them before the object moves: of all loads.
+struct Measured {
+  Measured(NearPoints near, const std::vector<Body>& bodies, const Posture& hand)
+      : points(std::move(near)), first(points, Eigen::Isometry3d::Identity(), bodies, hand) {}
+
+  NearPoints points;
+  PosedContacts first;
 };
 
 }  // namespace
@@ -201,18 +212,33 @@ LoadEffort LoadTester::effort_of(const Vector6d& load, NearPoints& points, Posed
 }
 
 LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double reach,
-                              double force, double torque, double enough) const {
+                              double force, double torque, double enough, Crew* crew) const {
   if (force == 0 && torque == 0) return {};
   const Posture hand = posture(q, center_W);
-  NearPoints points = near_points(hand, reach + kReach, problem_.X_WO);
-  PosedContacts first(points, Eigen::Isometry3d::Identity(), bodies_, hand);  // of all loads
+  const NearPoints near = near_points(hand, reach + kReach, problem_.X_WO);
   const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
   const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);
+  Spares<Measured> measured([&] { return std::make_unique<Measured>(near, bodies_, hand); });
+  std::vector<LoadEffort> found(static_cast<std::size_t>(loads.cols()));
+  std::atomic<std::size_t> last{found.size()};  // a load that asks for more than enough
+  const auto test = [&](std::size_t i) {
+    if (i > last) return;
+    found[i] = measured.lend([&](Measured& known) {
+      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known.points, known.first, hand);
+    });
+    found[i].effort *= kSudden;
+    if (!(found[i].effort > enough)) return;
+    for (std::size_t before = last; i < before && !last.compare_exchange_weak(before, i);) {
+    }
+  };
+  if (crew != nullptr) {
+    crew->share(found.size(), test);
+  } else {
+    for (std::size_t i = 0; i < found.size(); ++i) test(i);
+  }
   LoadEffort most;
-  for (Eigen::Index i = 0; i < loads.cols() && most.effort <= enough; ++i) {
-    LoadEffort found = effort_of(loads.col(i), points, first, hand);
-    found.effort *= kSudden;
-    if (found.effort > most.effort) most = found;
+  for (std::size_t i = 0; i < found.size() && most.effort <= enough; ++i) {
+    if (found[i].effort > most.effort) most = found[i];
   }
   return most;
 }

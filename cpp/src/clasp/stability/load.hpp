@@ -13,6 +13,7 @@
 
 #include "clasp/stability/distance.hpp"
 #include "clasp/stability/load_contacts.hpp"
+#include "crew.hpp"
 
 namespace graspless::clasp {
 
@@ -44,10 +45,11 @@ class LoadTester {
 
   /// Largest effort of a joint of the hand under any of the loads, which act suddenly, in any step.
   /// Ends at the first load whose effort is above `enough`. `center_W`, `reach`: ball that contains
-  /// the finger curves.
+  /// the finger curves. `crew`: shares the loads, if it is given.
   LoadEffort effort(const Eigen::VectorXd& q, const Eigen::Vector3d& center_W, double reach,
                     double force, double torque,
-                    double enough = std::numeric_limits<double>::infinity()) const;
+                    double enough = std::numeric_limits<double>::infinity(),
+                    Crew* crew = nullptr) const;
 
   /// Pose of the object where its weight has brought it to rest in a hand that does not yield, or
   /// where it has sunk by more than `most` [m].

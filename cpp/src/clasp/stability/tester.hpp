@@ -14,6 +14,7 @@
 #include "clasp/hand/kinematics.hpp"
 #include "clasp/stability/balls.hpp"
 #include "clasp/stability/load.hpp"
+#include "crew.hpp"
 
 namespace graspless::clasp {
 
@@ -41,6 +42,7 @@ class StabilityTester {
   Stability test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,
                  const StabilityOptions& options, int least_sequences, double enough);
   const LoadTester& loads();
+  Crew& crew(int threads);
   void load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC, const StabilityOptions& options,
             double enough, Stability& result);
 
@@ -50,6 +52,8 @@ class StabilityTester {
   LinkBalls balls_;
   std::shared_ptr<collision::Clearance> clearance_;
   std::optional<LoadTester> load_;  // made with the first load
+  std::unique_ptr<Crew> crew_;      // made with the first test
+  int threads_ = 0;                 // of it
 };
 
 }  // namespace graspless::clasp

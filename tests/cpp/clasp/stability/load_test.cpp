@@ -89,6 +89,13 @@ TEST(LoadTester, EndsAtTheFirstLoadThatIsTooLarge) {
   const double first = tester.effort(q, {0, 0, 1.09}, 0.06, 0, 0.2, most / 4).effort;
   EXPECT_GT(first, most / 4);
   EXPECT_LE(first, most);
+  Crew crew(4);
+  for (const double enough : {1e9, most, most / 2, most / 4, most / 8}) {
+    const LoadEffort alone = tester.effort(q, {0, 0, 1.09}, 0.06, 0, 0.2, enough);
+    const LoadEffort together = tester.effort(q, {0, 0, 1.09}, 0.06, 0, 0.2, enough, &crew);
+    EXPECT_EQ(together.effort, alone.effort);
+    EXPECT_EQ(together.joint, alone.joint);
+  }
 }
 
 TEST(TestStability, TellsWhatTheMotorsOfEveryHandWithstand) {

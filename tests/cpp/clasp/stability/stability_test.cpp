@@ -3,6 +3,7 @@
 #include "graspless/clasp/stability.hpp"
 
 #include <cmath>
+#include <set>
 #include <variant>
 
 #include <gtest/gtest.h>
@@ -64,6 +65,28 @@ TEST(StabilityTester, TestsQuicklyUpToAnEscapeInTheFirstSequence) {
               tester.test(closed, loop_O, options));
   expect_same(tester.test_quickly(open, loop_O, options, 0), tester.test(open, loop_O, first));
   EXPECT_EQ(tester.test(open, loop_O, options).escapes, 3);
+}
+
+TEST(TestStability, IsTheSameForAnyNumberOfThreads) {
+  const Problem problem = ring_within("kr5_sdh");
+  const Eigen::Matrix3Xd& loop_O = problem.object.loops().found.front().points;
+  const VectorXd closed = closed_around(problem);
+  StabilityTester tester(problem);
+  std::set<int> escapes;
+  for (const double escape : {0.0, 0.01, 0.012, 0.014, 0.016, 0.02}) {
+    StabilityOptions options;
+    options.moves = 60;
+    options.escape_distance = escape;
+    const Stability one = tester.test(closed, loop_O, options);
+    const Stability quick = tester.test_quickly(closed, loop_O, options, 0);
+    escapes.insert(one.escapes);
+    for (const int threads : {2, 4}) {
+      options.threads = threads;
+      expect_same(tester.test(closed, loop_O, options), one);
+      expect_same(tester.test_quickly(closed, loop_O, options, 0), quick);
+    }
+  }
+  EXPECT_GT(escapes.size(), 2u);  // all, none, and a few of the sequences
 }
 
 TEST(TestStability, SameSeedSameWalk) {
