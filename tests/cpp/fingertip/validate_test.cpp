@@ -129,13 +129,14 @@ TEST(FingertipValidate, RefusesMotionsThatContactsCannotFollow) {
       [](Problem& p) {
         p.motion = Path{{at(0, 0, 5), at(0, 0, 5.5)}};
       },
-      "floats");
+      "lifts off every plane");
   expect_problem_refused(
       [](Problem& p) {
-        Path path = turn_path(at(0, 0, 5), {0, 0, 0}, {0, 0, 1}, 3.1, 1);
-        p.motion = path;
+        p.motion =
+            Path{{at(0, 0, 5), Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitZ()) * at(0, 0, 5)}};
       },
       "more than 3 rad");
+  expect_refused([] { turn_path(at(0, 0, 5), {0, 0, 0}, {0, 0, 1}, 6.2, 2); }, "3 rad at most");
   expect_problem_refused(
       [](Problem& p) {
         Eigen::Isometry3d skewed = at(0, 0, 5);
