@@ -9,7 +9,7 @@ import time
 from typing import TYPE_CHECKING, Any, overload
 
 from . import limits, planning, proving
-from ._arguments import require_number
+from ._arguments import require_number, require_type
 from ._load import as_task
 from .errors import TaskError
 from .kinds import plan_type
@@ -170,8 +170,8 @@ def plan(
     """
     if seconds is not None:
         require_number("seconds", seconds)
-    if budget is not None and not isinstance(budget, planning.Budget):
-        raise TaskError(f"budget: {budget!r}: should be a planning.Budget")
+    if budget is not None:
+        require_type("budget", budget, planning.Budget)
     with limits.reading(seconds if budget is None else budget.seconds) as clock:
         task = as_task(task)
     if budget is not None:

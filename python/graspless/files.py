@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def check_writable(path: str | Path) -> None:
     """Raises TaskError unless `path` can be written: asked before work that would be lost."""
-    path = _path(path)
+    path = as_path(path)
     _check_place(path)
     try:
         if not path.exists() or path.is_file():
@@ -36,7 +36,8 @@ def absence(path: str | Path) -> str:
     return "is not a file" if path.exists() else "no such file"
 
 
-def _path(path: str | Path) -> Path:
+def as_path(path: str | Path) -> Path:
+    """Returns a path; raises TaskError if it is something else."""
     if not isinstance(path, (str, os.PathLike)):
         raise TaskError(f"{path!r}: should be the path of a file")
     return Path(path)
@@ -75,7 +76,7 @@ def _make_temporary(path: Path) -> tuple[int, Path]:
 
 def write(path: str | Path, content: str | bytes) -> None:
     """Writes a file at once, through a temporary one beside it; raises TaskError."""
-    path = _path(path)
+    path = as_path(path)
     data = content.encode() if isinstance(content, str) else content
     _check_place(path)
     try:

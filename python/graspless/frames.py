@@ -156,6 +156,12 @@ def from_rows(rows: Sequence[Sequence[float]]) -> Matrix:
     return poses
 
 
+def angle(X_A: Matrix, X_B: Matrix) -> float:
+    """Returns the angle between the orientations of two poses [4, 4], from 0 to pi [rad]."""
+    w = abs(float(to_quaternion(np.linalg.inv(X_A) @ X_B)[0]))
+    return 2 * float(np.arccos(w)) if w < 1 - 1e-15 else 0.0
+
+
 def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
     """Interpolates between two poses [4, 4]: X_A at t = 0, X_B at t = 1, positions linearly."""
     a, b = to_quaternion(X_A), to_quaternion(X_B)

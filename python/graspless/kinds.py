@@ -12,6 +12,8 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
+from .errors import TaskError
+
 KINDS = ("slide", "pinch", "fingertip", "clasp", "carry", "chain")
 
 
@@ -41,3 +43,10 @@ def missing_motion(plan: Any) -> str:
         if not stage.segments:
             return f"the {stage.kind} plan has no segments"
     return "" if stages else f"the {plan.kind} plan has no stages"
+
+
+def require_motion(plan: Any, purpose: str) -> None:
+    """Raises TaskError if a solved plan lacks something; the message ends with the purpose."""
+    missing = missing_motion(plan)
+    if missing:
+        raise TaskError(f"{missing}: nothing to {purpose}")

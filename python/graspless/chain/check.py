@@ -107,9 +107,7 @@ def _uncovered(p_W: Any, q_W: Any) -> float:
 
 def _apart(X_A: Matrix, X_B: Matrix) -> float:
     """Distance and angle between two poses, the larger [m, rad]."""
-    w = abs(float(frames.to_quaternion(np.linalg.inv(X_A) @ X_B)[0]))
-    angle = 2 * float(np.arccos(min(w, 1.0))) if w < 1 - 1e-15 else 0.0
-    return max(float(np.linalg.norm(X_A[:3, 3] - X_B[:3, 3])), angle)
+    return max(float(np.linalg.norm(X_A[:3, 3] - X_B[:3, 3])), frames.angle(X_A, X_B))
 
 
 def _check_contents(contents: Sequence[Segment], stages: Sequence[Any]) -> list[str]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from .._any_plan import AnyPlan
 from .._arguments import require_path
 from ..errors import TaskError, told
-from ..kinds import missing_motion, plan_type
+from ..kinds import plan_type, require_motion
 from ..tasks.kind import task_kind
 from ..tasks.reading import parse_yaml, read_text
 from ..tasks.source import MOST_DIGITS, Source
@@ -61,9 +61,7 @@ def as_motion(plan: Plan | str | Path, purpose: str, *statuses: str) -> Plan:
     plan = as_plan(plan)
     if not plan and plan.status not in statuses:
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to {purpose}")
-    missing = missing_motion(plan)
-    if missing:
-        raise TaskError(f"{missing}: nothing to {purpose}")
+    require_motion(plan, purpose)
     return plan
 
 

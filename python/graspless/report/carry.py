@@ -37,8 +37,7 @@ def moved(plan: Plan) -> str:
     distance = f"{100 * length:.1f} cm"
     if problem.places is not None:
         return f"puts {the(name)} down on {problem.places.on}, {distance} away"
-    w = abs(float(frames.to_quaternion(np.linalg.inv(start) @ goal)[0]))
-    angle = np.degrees(2 * np.arccos(min(w, 1.0)))
+    angle = np.degrees(frames.angle(start, goal))
     if length < 5e-4:
         return f"turns {the(name)} by {angle:.0f} degrees"
     turned = f", turning it by {angle:.0f} degrees" if angle >= 0.5 else ""

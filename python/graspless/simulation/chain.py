@@ -107,9 +107,8 @@ def _executed(
     if stages[0].kind == "clasp":
         return carried.run(stages, variation, record=record)
     if len(stages) == 1:
-        if stages[0].kind == "pinch":
-            return pinch.run(stages[0], variation, record=record, settings=settings)
-        return execute(stages[0], variation, record=record, settings=settings)
+        alone = pinch.run if stages[0].kind == "pinch" else execute
+        return alone(stages[0], variation, record=record, settings=settings)
     start = time.perf_counter()
     execution = _Carried(stages, variation, settings or Slide(), truth)
     if record:

@@ -4,12 +4,12 @@
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 from typing import Any
 
 from ..errors import TaskError
+from ..files import as_path
 from ..limits import uncounted, without_collector
 from .source import DEEPEST, MOST_DIGITS, Location, Source, dotted, shorten
 
@@ -18,10 +18,9 @@ MOST_NODES = 10**6  # of YAML, after its aliases are replaced by what they stand
 
 def read_text(path: str | Path) -> str:
     """Returns the text of a file. Raises TaskError if it cannot be read."""
-    if not isinstance(path, (str, os.PathLike)):
-        raise TaskError(f"{path!r}: should be the path of a file")
+    file = as_path(path)
     try:
-        return Path(path).read_text(encoding="utf-8-sig")  # Windows editors write a byte order mark
+        return file.read_text(encoding="utf-8-sig")  # Windows editors write a byte order mark
     except OSError as error:
         raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from .. import files
 from ..errors import TaskError, missing
-from ..kinds import missing_motion, part
+from ..kinds import part, require_motion
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -53,8 +53,8 @@ def figure(plan: Plan) -> Figure:
 
     Raises TaskError if a solved plan has no rows to draw.
     """
-    if plan and (missing := missing_motion(plan)):
-        raise TaskError(f"{missing}: nothing to draw")
+    if plan:
+        require_motion(plan, "draw")
     with _told():
         drawn: Figure = part("view", plan.kind, "picture").draw(plan)
     return drawn

@@ -20,7 +20,7 @@ from .visuals import UnreadableError, read_visual, warn_once
 
 if TYPE_CHECKING:
     import xml.etree.ElementTree as ET
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from numpy.typing import NDArray
 
@@ -116,6 +116,13 @@ def robot(task: Task) -> list[Body]:
     """Returns one body per link of the problem's robot, in the order of Robot.frame_names."""
     fields = fields_of(task)
     return robot_bodies(task.problem.robot, fields and fields.robot)
+
+
+def vertices_of(placed: Iterable[tuple[Body, Matrix]]) -> Matrix:
+    """Returns the vertices of bodies with their poses in the world, [N, 3] there."""
+    return np.concatenate(
+        [frames.transform(X_WB, part.vertices) for body, X_WB in placed for part in body.parts]
+    )
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:

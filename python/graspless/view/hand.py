@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from . import raster
-from .bodies import Body, Part, robot_bodies
+from .bodies import Body, Part, robot_bodies, vertices_of
 from .figures import INK, draw_panel, new_figure
 from .raster import Camera
 from .tubes import tube
@@ -79,9 +79,7 @@ class _Hand:
             for body, X, name in zip(self.bodies, X_WL, names, strict=True)
             if body.parts and (state == "home" or name in self.hand)
         ]
-        points = np.vstack(
-            [p.vertices @ X[:3, :3].T + X[:3, 3] for b, X in wanted for p in b.parts]
-        )
+        points = vertices_of(wanted)
         size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
         wanted += [(axes_body(AXIS * size), X_WL[names.index(name)]) for name in self.frames]
         X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames, progress
+from .. import progress
 from ..scene import Scene
-from .bodies import FINGER, robot_bodies
+from .bodies import FINGER, robot_bodies, vertices_of
 from .hand import axes_body
 from .raster import Camera
 from .scene import Layers, add_segments, legend_html, look, move
@@ -149,7 +149,7 @@ def _segments(nodes: list[tuple[int, Matrix]], poses: list[Matrix]) -> Matrix:
 
 
 def _camera(placed: list[tuple[Body, Matrix]]) -> Camera:
-    seen = np.vstack([frames.transform(X, p.vertices) for b, X in placed for p in b.parts])
+    seen = vertices_of(placed)
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     size = float(np.linalg.norm(np.ptp(seen, axis=0)))
     eye = middle + 2 * size * np.array([0.7, -1.0, 0.5])

@@ -9,7 +9,6 @@ import time
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import kinds, progress
-from ..errors import TaskError
 from .scene import legend_html
 from .server import add_boxes, free_port, open_server
 
@@ -87,8 +86,8 @@ def serve(plan: Plan, port: int) -> None:
 
 
 def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
-    if plan and recording is None and (missing := kinds.missing_motion(plan)):
-        raise TaskError(f"{missing}: nothing to show")
+    if plan and recording is None:
+        kinds.require_motion(plan, "show")
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=True)
     given = () if recording is None else (recording,)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot
+from ..bodies import obstacles, robot, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -54,10 +54,10 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
         Width and height of the picture.
     """
     shown = scene.shown
-    points = np.concatenate([_vertices(*placed) for row in rows for placed in scene.moving(row)])
+    points = vertices_of(placed for row in rows for placed in scene.moving(row))
     low, high = points.min(axis=0) - NEAR, points.max(axis=0) + NEAR
     for placed in (placed for placed in scene.still if placed[0].parts):
-        beside = _vertices(*placed)
+        beside = vertices_of([placed])
         is_small = np.ptp(beside, axis=0).max() < SMALL
         if is_small and (beside > low).all(axis=1).any() and (beside < high).all(axis=1).any():
             points = np.concatenate([points, beside])
@@ -69,8 +69,3 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     eye = middle + 3.0 * toward / np.linalg.norm(toward)
     return Camera(eye, middle).fitted(points, *shape)
-
-
-def _vertices(body: Body, X_WB: Matrix) -> Matrix:
-    """Returns the vertices of a body in the world [N, 3]."""
-    return np.concatenate([part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3] for part in body.parts])

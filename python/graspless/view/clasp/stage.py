@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot
+from ..bodies import obstacles, robot, vertices_of
 from ..raster import Camera
 from . import bodies
 from .film import linking
@@ -73,7 +73,7 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     shape : tuple of int
         Width and height of the picture.
     """
-    points = np.concatenate([_points(scene.solid(row)) for row in rows])
+    points = np.concatenate([vertices_of(scene.solid(row)) for row in rows])
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     toward = direction(scene.plan, scene.shown)
     eye = middle + 3.5 * float(np.ptp(points, axis=0).max()) * toward
@@ -147,16 +147,6 @@ def _is_near(body: Body, X_WB: Matrix, view: Camera) -> bool:
     """Returns True if a body has a corner near the centre of a camera's view."""
     if not body.parts:
         return False
-    points = _points([(body, X_WB)])
+    points = vertices_of([(body, X_WB)])
     reach = 1.7 * np.linalg.norm(view.target - view.eye) * np.tan(view.angle / 2)
     return bool((np.linalg.norm(points - view.target, axis=1) < reach).any())
-
-
-def _points(found: Sequence[tuple[Body, Matrix]]) -> Matrix:
-    return np.concatenate(
-        [
-            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-            for body, X_WB in found
-            for part in body.parts
-        ]
-    )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import raster
-from ..bodies import obstacles, robot_bodies
+from ..bodies import obstacles, robot_bodies, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -58,14 +58,7 @@ def render(plan: Plan, direction: Matrix, shape: tuple[int, int]) -> list[tuple[
         poses = np.asarray(robot.forward(segment.positions[row]))
         there = [(body, X_WL) for body, X_WL in zip(links, poses, strict=True) if body.parts]
         placed.append([*there, (thing, segment.object_poses[row])])
-    points = np.concatenate(
-        [
-            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-            for scene in placed
-            for body, X_WB in scene
-            for part in body.parts
-        ]
-    )
+    points = vertices_of(body for scene in placed for body in scene)
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     toward = direction / np.linalg.norm(direction)
     eye = middle + 4.0 * float(np.ptp(points, axis=0).max()) * toward

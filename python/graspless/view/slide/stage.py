@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot
+from ..bodies import obstacles, robot, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -106,10 +106,4 @@ def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
             *zip(links, shown.link_poses[row], strict=True),
         )
     ]
-    return np.concatenate(
-        [
-            part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-            for body, X_WB in placed(shown, rows[0]) + moving
-            for part in body.parts
-        ]
-    )
+    return vertices_of(placed(shown, rows[0]) + moving)
