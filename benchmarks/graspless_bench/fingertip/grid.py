@@ -164,14 +164,21 @@ def fingers(engines: Sequence[str]) -> Iterator[Trial]:
                 yield Trial(f"{name}, {count} finger{plural}", document, engine)
 
 
-def se2(engines: Sequence[str]) -> Iterator[Trial]:
-    """Slide and turn over 30 x 30 x 30 poses, from one corner of the lattice to the other."""
-    degree = math.pi / 180
-    upper = [29 / 3, 29 / 3, 29 * 3 * degree]
+def slide_and_turn(side: int) -> dict[str, Any]:
+    """A slide with a turn, from one corner of a lattice of x, y and yaw to the other.
+
+    The lattice has this many poses a side. With 30, steps are 1/3 and 3 degrees.
+    """
+    upper = [29 / 3, 29 / 3, math.radians(29 * 3)]
     goal = {"position": [upper[0], upper[1], 2.5], "rpy": [0.0, 0.0, upper[2]]}
-    motion = {"lattice": {"goal": goal, "lower": [0.0] * 3, "upper": upper, "counts": [30] * 3}}
+    lattice = {"goal": goal, "lower": [0.0] * 3, "upper": upper, "counts": [side] * 3}
+    return _task([5.0, 10.0, 5.0], {"lattice": lattice})
+
+
+def se2(engines: Sequence[str]) -> Iterator[Trial]:
+    """A slide with a turn over 30 x 30 x 30 poses."""
     for engine in engines:
-        yield Trial("slide and turn, 30^3", _task([5.0, 10.0, 5.0], motion), engine)
+        yield Trial("slide and turn, 30^3", slide_and_turn(30), engine)
 
 
 def faces(engines: Sequence[str]) -> Iterator[Trial]:

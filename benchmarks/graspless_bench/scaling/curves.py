@@ -177,6 +177,12 @@ CURVES = (
         lambda n: _fingertip(A | {"fingers": A["fingers"] | {"count": n}}),
     ),
     Curve(
+        "fingertip: lattice",
+        "poses a side of a lattice of x, y and yaw",
+        (10, 20, 30, 50, 100),
+        lambda n: _fingertip(grid.slide_and_turn(n)),
+    ),
+    Curve(
         "fingertip: faces",
         "sides of a prism that is slid",
         (4, 8, 16, 32),

@@ -113,7 +113,7 @@ def _draw(result: Row, path: Path) -> None:
             axes.loglog(sizes, times, "o-", color=COLORS[i % len(COLORS)], markersize=4)
             axes.set_xticks(sizes, [f"{size:,}" for size in sizes], fontsize=7, rotation=30)
             axes.minorticks_off()
-            axes.set_ylim(1, 1e4)
+            axes.set_ylim(1, 1e5)
             axes.set_title(name, fontsize=9)
             axes.set_xlabel(OF_NAME[name].grows, fontsize=7)
             axes.set_ylabel("ms", fontsize=7)

@@ -211,7 +211,7 @@ def _plan_file() -> list[Callable[[], Done]]:
 CASES = fingertips.CASES
 FOUR = CASES["a"] | {"fingers": CASES["a"]["fingers"] | {"count": 4}}
 TWICE = {trial.case: trial.document for trial in fingertips.faces(("fast",))}["two tumbles"]
-LATTICE = next(fingertips.se2(("fast",))).document
+LATTICE = fingertips.slide_and_turn(30)
 
 QUERIES = (
     Query("slide", lambda: _slides(200, slide.plan)),
