@@ -40,7 +40,8 @@ void bind_bodies(py::class_<Scene>& cls) {
          "touches_base: True if the root link, and links rigid with it, may touch it.")
       .def("add_object", py::overload_cast<const std::string&, const Shapes&>(&Scene::add_object),
            py::arg("name"), py::arg("shapes"),
-           "Adds a movable body that no link may touch. Returns its index in the world.")
+           "Adds a movable body that no link may touch. Returns its index in the world.\n\nIt is "
+           "tested against obstacles and other objects only where `world.add_pair` says so.")
       .def(
           "move_object",
           [](Scene& self, const Key& body, const Array& X_WO) {

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .clasp.command import add_parser as _add_clasp
-from .edges import add_parser as _add_edges
+from .edges.command import add_parser as _add_edges
 from .fingertip.command import add_parser as _add_fingertip
 from .household.command import add_parser as _add_household
 from .ik import add_parser as _add_ik

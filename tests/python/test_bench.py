@@ -14,7 +14,7 @@ import pytest
 from graspless import slide
 from graspless.cli import main
 from graspless_bench import _peers, statistics, tables
-from graspless_bench.slide import grid, run, shapes, sscbirrt, summary
+from graspless_bench.slide import grid, report, run, shapes, sscbirrt, summary
 
 KEYS = {
     *("runs", "solved", "p50_ms", "p90_ms", "p99_ms"),
@@ -261,6 +261,15 @@ def test_text_without_json(capsys):
     out = capsys.readouterr()
     assert "failed checks" in out.out
     assert out.err == ""  # no progress bar where nobody watches
+
+
+def test_the_slowest_of_many_runs_are_named(capsys, monkeypatch):
+    monkeypatch.setattr(report, "MANY", 3)
+    assert main(["bench", "slide", "--grid", "frozen", "--runs", "3"]) == 0
+    assert "frozen, fast: " in capsys.readouterr().out
+    curve = {"name": "c", "runs": 20_000, "times_ms": [1.0] * 19_990 + [33.0] * 6 + [50.0]}
+    line = "c: 19,996 of 20,000 solved within 33 ms; 99.99 % inf, slowest 50"
+    assert report._slowest(curve) == line
 
 
 @pytest.mark.parametrize("wrong", [["--runs", "0"], ["--time", "-1"], ["--grid", "other"]])

@@ -177,10 +177,15 @@ def among(problem: slide.Problem, obstacles: list[collision.Obstacle]) -> slide.
     )
 
 
-def paper(runs: int, seed: int, search: str) -> Iterator[Trial]:
-    """Fig. 10: tables x objects, also at half scale, with other ranges, letters and defaults."""
+def frozen(runs: int, seed: int, search: str) -> Iterator[Trial]:
+    """Fig. 10: tables x objects."""
     for start in starts(runs, seed):
         yield Trial(start, "frozen", search)
+
+
+def paper(runs: int, seed: int, search: str) -> Iterator[Trial]:
+    """Fig. 10: the frozen grid, also at half scale, with other ranges, letters and defaults."""
+    yield from frozen(runs, seed, search)
     for start in starts(runs, seed, scale=0.5):
         yield Trial(start, "half scale", search)
     for name, width in RANGES.items():

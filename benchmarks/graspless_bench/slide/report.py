@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import TYPE_CHECKING
 
+from ..statistics import quantile
 from ..tables import aligned, compact
 from . import document
 from .tables import columns
@@ -15,6 +17,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from ..machine import Row
+
+
+MANY = 10_000  # runs of which the slowest are named
+FRAME = 33.0  # of a camera [ms]
 
 
 def write(result: Row, directory: Path) -> None:
@@ -44,6 +50,7 @@ def as_text(result: Row) -> str:
         f"grid {result['grid']}, seed {result['seed']}, at most {result['time_limit_s']:g} s each;"
         " times in ms, a dash is never",
         *blocks,
+        *(_slowest(curve) for curve in result["curves"] if curve["runs"] >= MANY),
         f"memory: a query adds {query:.0f} MB at its peak, {process:.0f} MB with all of Python",
         f"on {machine['cpu']}, load {machine['load_before'][0]} before, "
         f"{machine['load_after'][0]} after",
@@ -53,3 +60,14 @@ def as_text(result: Row) -> str:
         for f in result["failed_checks"]
     ]
     return "\n".join(line for line in lines if line)
+
+
+def _slowest(curve: Row) -> str:
+    """Tells how long the slowest of many runs took."""
+    times, runs = curve["times_ms"], curve["runs"]
+    in_time = sum(time <= FRAME for time in times)
+    last = quantile(times + [math.inf] * (runs - len(times)), 0.9999)
+    return (
+        f"{curve['name']}: {in_time:,} of {runs:,} solved within {FRAME:g} ms; "
+        f"99.99 % {last:.3g}, slowest {max(times, default=math.inf):.3g}"
+    )

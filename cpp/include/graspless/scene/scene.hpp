@@ -34,7 +34,8 @@ class GRASPLESS_API Scene {
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
   int add_obstacle(const std::string& name, const collision::Solid& solid,
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
-  /// Adds a movable body (see move_object, attach) that no link may touch.
+  /// Adds a movable body (see move_object, attach) that no link may touch. It is tested against
+  /// obstacles and other objects only where world().add_pair() says so.
   int add_object(const std::string& name, const std::vector<geometry::PlacedShape>& shapes);
   int add_object(const std::string& name, const collision::Solid& solid);
   void move_object(int body, const Eigen::Isometry3d& X_WO);

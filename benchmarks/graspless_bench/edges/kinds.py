@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: 2026 The graspless authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Problems of every kind of plan that moves an arm among bodies it must not touch."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from graspless import carry, clasp, geometry, pinch, scene, slide
+from graspless.tasks import task_from_dict
+
+from ..clasp import grid as clasps
+from ..slide import grid as slides
+from ..slide.shapes import OBJECTS, TABLES
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from types import ModuleType
+
+    from numpy.typing import NDArray
+
+    from graspless.collision import Obstacle
+    from graspless.planning import Budget
+
+    Array = NDArray[np.float64]
+
+SECONDS = 10.0  # limit of a search
+FREE = ("approach", "reach", "grasp", "carry")  # segments in which nothing may touch
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """A problem of a planner.
+
+    Attributes
+    ----------
+    planner : module
+        With `plan`, `check` and `certify`.
+    frame : str
+        Frame of the hand.
+    """
+
+    planner: ModuleType
+    problem: Any
+    options: Any
+    budget: Budget
+    frame: str
+
+    def among(self, obstacles: list[Obstacle]) -> Any:
+        """Returns the problem with further obstacles."""
+        p: Any = self.problem
+        every = [*p.obstacles, *obstacles]
+        if isinstance(p, clasp.Problem):
+            return clasp.Problem(p.robot, p.hand, p.object, p.X_WO, p.q_start, every)
+        if isinstance(p, carry.Problem):
+            return carry.Problem(p.robot, p.frame, p.object, p.X_WO_goal, p.q_start, every)
+        return slides.among(p, every)
+
+    def bodies(self, obstacles: list[Obstacle], segment: Any) -> scene.Scene:
+        """Returns the robot among all bodies of a segment, the object where it is then."""
+        p: Any = self.problem
+        bodies = scene.Scene(p.robot)
+        fixed = [
+            bodies.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB)
+            for obstacle in [*p.obstacles, *obstacles]
+        ]
+        if isinstance(p, carry.Problem):
+            held = _hold(bodies, p)
+            for body in fixed:
+                bodies.world.add_pair(held, body)
+            return bodies
+        if isinstance(p, clasp.Problem):
+            shapes, X_WO = [geometry.PlacedShape(p.object.surface)], p.X_WO
+        else:
+            bodies.add_obstacle("support", p.support.shapes, p.support.X_WS)
+            poses = getattr(segment, "object_poses", [p.X_WO_start])
+            shapes, X_WO = p.object.shapes, poses[0]
+        bodies.add_obstacle("object", shapes, X_WO, touches_base=False)
+        return bodies
+
+
+def _hold(bodies: scene.Scene, problem: carry.Problem) -> int:
+    """Adds the carried object to the bodies. The links that touch it at the start hold it."""
+    held = bodies.add_object(problem.object.name, problem.object.shapes)
+    X_FW = np.linalg.inv(problem.robot.pose(problem.frame, problem.q_start))
+    holders: list[str] = []
+    while True:
+        bodies.attach(held, problem.frame, X_FW @ problem.object.X_WB, holders)
+        pair = bodies.collision(problem.q_start) or ()
+        links = set(pair) & set(problem.robot.frame_names) if problem.object.name in pair else set()
+        if not links:
+            return held
+        holders += links
+        bodies.detach(held)
+
+
+def _slides() -> Iterator[Case]:
+    """Slides of the WAM with the library's own margins, over all tables and objects."""
+    for index in itertools.count():
+        for table, thing in itertools.product(TABLES, OBJECTS):
+            trial = slides.Trial(slides.Start(table, thing, 1.0, index, 14), defaults=True)
+            problem, options = trial.make_problem(), trial.make_options()
+            hand = problem.hand.grasp_frame
+            yield Case(slide, problem, options, trial.make_budget(SECONDS), hand)
+
+
+def _clasps() -> Iterator[Case]:
+    """Clasps of four hands, the objects up to 5 cm aside from their places."""
+    for seed in itertools.count(1):
+        for trial in clasps.paper(1, seed):
+            dx, dy = np.random.default_rng(seed).uniform(-0.05, 0.05, 2)
+            x, y, z, yaw = trial.place
+            moved = dataclasses.replace(trial, place=(x + dx, y + dy, z, yaw))
+            problem, options = moved.make_problem(), moved.make_options()
+            yield Case(clasp, problem, options, moved.make_budget(SECONDS), problem.hand.frame)
+
+
+def _pinches() -> Iterator[Case]:
+    """Boxes on a table that the WAM pinches."""
+    for seed in itertools.count(1):
+        uniform = np.random.default_rng(seed).uniform
+        size = [float(uniform(0.06, 0.12)), float(uniform(0.02, 0.05))]
+        x, y, yaw = (float(uniform(*side)) for side in ((0.5, 0.75), (-0.25, 0.25), (-3, 3)))
+        yield _of_document(
+            pinch,
+            {
+                "kind": "pinch",
+                "robot": {"urdf": "wam_t42"},
+                "object": {
+                    "name": "box",
+                    "rectangle": {"size": size},
+                    "thickness": float(uniform(0.06, 0.14)),
+                    "mass": 0.2,
+                    "pose": {"x": x, "y": y, "yaw": yaw},
+                },
+                "support": {"rectangle": {"center": [0.65, 0.0], "size": [0.7, 0.7]}},
+            },
+            seed,
+        )
+
+
+def _carries() -> Iterator[Case]:
+    """A bar that the WAM carries past a post."""
+    home = {"wam_joint_2": 0.7, "wam_joint_4": 1.6, "wam_joint_6": 0.84}
+    for seed in itertools.count(1):
+        uniform = np.random.default_rng(seed).uniform
+        side = float(uniform(0.15, 0.35)) * (-1) ** seed
+        offset = [float(uniform(-0.10, 0.10)), side, float(uniform(-0.05, 0.10))]
+        post = [0.65 + float(uniform(0.0, 0.2)), side * float(uniform(0.3, 0.7)), 0.12]
+        yield _of_document(
+            carry,
+            {
+                "kind": "carry",
+                "robot": {"urdf": "wam_t42", "home": home},
+                "frame": "grasp",
+                "object": {"name": "bar", "box": [0.02, 0.02, 0.10]},
+                "pose": {"position": [0.65, 0.0, 0.29]},
+                "offset": offset,
+                "obstacles": [
+                    {
+                        "name": "post",
+                        "capsule": {"radius": 0.02, "length": float(uniform(0.1, 0.3))},
+                        "pose": {"position": post},
+                    }
+                ],
+            },
+            seed,
+        )
+
+
+def _of_document(planner: ModuleType, document: dict[str, Any], seed: int) -> Case:
+    budget = {"seconds": SECONDS, "seed": seed}
+    task: Any = task_from_dict(document | {"budget": budget}, "bench: edges", resolve=True)
+    problem = task.problem
+    frame = problem.frame if isinstance(problem, carry.Problem) else problem.hand.grasp_frame
+    return Case(planner, problem, task.options, task.budget, frame)
+
+
+MAKERS: dict[str, Callable[[], Iterator[Case]]] = {
+    "slide": _slides,
+    "clasp": _clasps,
+    "pinch": _pinches,
+    "carry": _carries,
+}
