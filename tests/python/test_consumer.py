@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import platform
 import subprocess
 
 import pytest
@@ -20,18 +21,41 @@ def run(*command):
     return done.stdout
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(not (BUILD / "CMakeCache.txt").exists(), reason="no build/make: make test")
-def test_consumer_builds_and_runs(tmp_path):
-    prefix, build = tmp_path / "prefix", tmp_path / "build"
-    run("cmake", "--install", BUILD, "--component", "cpp", "--prefix", prefix)
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    if not (BUILD / "CMakeCache.txt").exists():
+        pytest.skip("no build/make: make test")
+    where = tmp_path_factory.mktemp("installed") / "prefix"
+    run("cmake", "--install", BUILD, "--component", "cpp", "--prefix", where)
+    return where
+
+
+def configure(prefix, build, flags):
     launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER", "")
     run(
         "cmake", "-S", ROOT / "tests" / "consumer", "-B", build, "-DCMAKE_BUILD_TYPE=Release",
         f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}",
+        f"-DCMAKE_CXX_FLAGS={flags}",
     )  # fmt: skip
-    run("cmake", "--build", build)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("flags", ["-Wall -Wextra -Werror", "-fsanitize=address"])
+def test_consumer_builds_and_runs(prefix, tmp_path, flags):
+    configure(prefix, tmp_path, flags)
+    run("cmake", "--build", tmp_path)
     urdf = prefix / "share" / "graspless" / "urdf" / "wam_t42.urdf"
-    name, segments, cost = run(build / "consumer", urdf).split()
+    name, segments, cost = run(tmp_path / "consumer", urdf).split()
     assert (name, segments) == ("wam_t42", "7")
     assert 0.1 < float(cost) < 0.11  # the way of the fingers, and a little for stability
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="-mavx is a flag of x86")
+def test_other_vector_instructions_are_refused(prefix, tmp_path):
+    configure(prefix, tmp_path, "-mavx")
+    built = subprocess.run(
+        ["cmake", "--build", tmp_path], capture_output=True, text=True, check=False
+    )
+    assert built.returncode != 0
+    assert "compile both with the same -m flags" in built.stdout + built.stderr

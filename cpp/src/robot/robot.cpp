@@ -228,6 +228,12 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> Robot::jacobian(int frame, const Vector
   return J;
 }
 
+double Robot::step(const VectorXd& q1, const VectorXd& q2) const {
+  check_size(q1, *model_);
+  check_size(q2, *model_);
+  return (q2 - q1).cwiseProduct(model_->step_weights).lpNorm<Eigen::Infinity>();
+}
+
 VectorXd Robot::clamp(const VectorXd& q) const {
   check_size(q, *model_);
   return q.cwiseMax(model_->lower).cwiseMin(model_->upper);

@@ -85,6 +85,14 @@ TEST(Robot, LimitsOfTheWamAreTheManuals) {
   EXPECT_EQ(robot.clamp(robot.upper().array() + 1), robot.upper());
 }
 
+TEST(Robot, StepsAreBetweenConfigurationsOfAllJoints) {
+  const Robot robot = wam();
+  const VectorXd q = robot.state("home"), next = q.array() + 0.02;
+  EXPECT_NEAR(robot.step(q, next), 0.02, 1e-12);
+  EXPECT_THROW(robot.step(q, VectorXd::Zero(3)), std::invalid_argument);
+  EXPECT_THROW(robot.step(VectorXd::Zero(9), q), std::invalid_argument);
+}
+
 /// KDL's own chain and solver, built from urdfdom alone.
 Isometry3d kdl_pose(const urdf::ModelInterface& urdf, const std::string& link,
                     const std::map<std::string, double>& values) {

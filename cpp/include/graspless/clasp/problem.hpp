@@ -27,12 +27,12 @@ struct Problem {
   std::vector<Obstacle> obstacles;
   Eigen::VectorXd q_start;  ///< start configuration of all joints [rad or m]
   /// Loops that may be clasped, as indices of object.loops().found; empty: all.
-  std::vector<int> loops;
+  std::vector<int> loops = {};
   /// Points in O [m]. The hand clasps at the loop points nearest to them; empty: anywhere.
-  std::vector<Eigen::Vector3d> marks;
+  std::vector<Eigen::Vector3d> marks = {};
   /// Direction in W in which the clasped object will be pulled. Targets where the hand would slip
   /// or the object would turn round are excluded. The others are tried in order of suitability.
-  std::optional<Eigen::Vector3d> pull_W;
+  std::optional<Eigen::Vector3d> pull_W = {};
 };
 
 /// Throws std::invalid_argument that names the field, the value and the choices.

@@ -99,7 +99,7 @@ struct Problem {
   std::vector<Plane> planes;               ///< the floor first, then walls
   FrictionInterval friction = {0.5, 0.5};  ///< between object and planes without their own
   Motion motion;
-  std::vector<Obstacle> obstacles;
+  std::vector<Obstacle> obstacles = {};
   Eigen::Vector3d gravity_W = {0, 0, -9.8};  ///< [m/s^2]
 };
 

@@ -99,9 +99,7 @@ class GRASPLESS_API Robot {
   /// 0.01 rad correspond to 1 mm.
   const Eigen::VectorXd& step_weights() const;
   /// Largest step of a joint between two configurations, in the units of step_weights() [rad].
-  double step(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) const {
-    return (q2 - q1).cwiseProduct(step_weights()).lpNorm<Eigen::Infinity>();
-  }
+  double step(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2) const;
 
   /// Returns q clamped to the joint limits.
   Eigen::VectorXd clamp(const Eigen::VectorXd& q) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,8 +35,7 @@ class GRASPLESS_API Scene {
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
   int add_obstacle(const std::string& name, const collision::Solid& solid,
                    const Eigen::Isometry3d& X_WB, bool touches_base = true);
-  /// Adds a movable body (see move_object, attach) that no link may touch. It is tested against
-  /// obstacles and other objects only where world().add_pair() says so.
+  /// Adds a movable body (see move_object, attach) that no link may touch.
   int add_object(const std::string& name, const std::vector<geometry::PlacedShape>& shapes);
   int add_object(const std::string& name, const collision::Solid& solid);
   void move_object(int body, const Eigen::Isometry3d& X_WO);
@@ -52,7 +52,7 @@ class GRASPLESS_API Scene {
                         const std::vector<Eigen::VectorXd>& given);
 
   /// Index in the world of a link's body; -1 for a link without shapes.
-  int link_body(int link) const { return link_body_[link]; }
+  int link_body(int link) const { return link_body_[static_cast<std::size_t>(link)]; }
 
   /// True if q is within the joint limits and nothing touches.
   bool is_free(const Eigen::VectorXd& q);

@@ -211,7 +211,9 @@ void Examination::check_slide_row(const Segment& slide, std::size_t row, const E
   const Finger now = finger(q);
   const double play = kHeightTolerance + kRound;
   if (!(now.depth >= depths_.min - play && now.depth <= depths_.max + play)) {
-    fault(slide, row, "depth " + figure(now.depth) + " m is outside its band");
+    fault(slide, row,
+          "depth " + figure(now.depth) + " m is outside its band, " + figure(depths_.min) + " to " +
+              figure(depths_.max) + " m");
   }
   check_touching_row(slide, row, now);
   const Eigen::Matrix2Xd& Q = problem_.support.polygon().vertices();
@@ -224,7 +226,9 @@ void Examination::check_slide_row(const Segment& slide, std::size_t row, const E
 /// Conditions of every row in which the finger touches the object.
 void Examination::check_touching_row(const Segment& segment, std::size_t row, const Finger& now) {
   if (!(std::abs(now.pitch - options_.pitch) <= options_.pitch_tolerance + kRound)) {
-    fault(segment, row, "pitch " + figure(now.pitch) + " rad is outside its band");
+    fault(segment, row,
+          "pitch " + figure(now.pitch) + " rad is outside its band, options.pitch " +
+              figure(options_.pitch) + " +- " + figure(options_.pitch_tolerance) + " rad");
   }
   if (!(std::abs(now.roll) <= kRollTolerance + kRound)) {
     fault(segment, row, "roll " + figure(now.roll) + " rad exceeds its tolerance");
