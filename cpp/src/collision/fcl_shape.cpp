@@ -116,13 +116,14 @@ CollisionShape make_convex(const geometry::Mesh& hull, bool is_of_mesh) {
 /// Prepares a surface; `hull`: corners of its convex hull.
 CollisionShape make_surface(const geometry::Mesh& mesh, const Eigen::Matrix3Xd& hull) {
   const Eigen::Vector3d middle = box_middle(mesh.vertices);
-  const Eigen::Matrix3Xd centred = mesh.vertices.colwise() - middle;
-  HullTree hulls = surface_tree(centred, mesh.triangles, hull.colwise() - middle);
+  const auto centred = std::make_shared<const geometry::Mesh>(
+      geometry::Mesh{mesh.vertices.colwise() - middle, mesh.triangles});
+  HullTree hulls = surface_tree(centred, hull.colwise() - middle);
   hulls.is_of_mesh = true;
   CollisionShape shape =
-      make_shape([centred, faces = mesh.triangles] { return make_surface(centred, faces); },
-                 std::move(hulls), box_core(centred), middle);
-  shape.enclosure = std::make_shared<const Enclosure>(geometry::Mesh{centred, mesh.triangles});
+      make_shape([centred] { return make_surface(centred->vertices, centred->triangles); },
+                 std::move(hulls), box_core(centred->vertices), middle);
+  shape.enclosure = std::make_shared<const Enclosure>(*centred);
   return shape;
 }
 

@@ -58,13 +58,18 @@ class SurfaceCutter {
     tree_.hulls.emplace_back();
     set_vertices(0, hull);
     cut(0, 0, static_cast<int>(order_.size()));
+    tree_.order = std::move(order_);
     return std::move(tree_);
   }
 
  private:
   void cut(int at, int begin, int end) {
     poll();
-    if (end - begin <= kLeaf) return;
+    if (end - begin <= kLeaf) {
+      tree_.hulls[at].begin = begin;
+      tree_.hulls[at].end = end;
+      return;
+    }
     Eigen::Index axis = 0;
     const auto range = order_.begin();
     Vector3d low = middles_.col(order_[begin]), high = low;
@@ -133,6 +138,18 @@ Eigen::Vector3d HullTree::farthest(const Hull& hull, const Eigen::Vector3d& dire
   return {p[best], p[hull.count + best], p[2 * hull.count + best]};
 }
 
+Eigen::Vector3d HullTree::farthest_corner(int triangle, const Eigen::Vector3d& direction) const {
+  const auto corners = surface->triangles.col(triangle);
+  int best = corners[0];
+  double most = surface->vertices.col(best).dot(direction);
+  for (int k = 1; k < 3; ++k) {
+    const double along = surface->vertices.col(corners[k]).dot(direction);
+    if (along > most) best = corners[k];
+    most = std::max(most, along);
+  }
+  return surface->vertices.col(best);
+}
+
 HullTree box_tree(const Core& core) {
   HullTree tree;
   tree.hulls.push_back({Vector3d::Zero(), core.half});
@@ -144,9 +161,10 @@ HullTree convex_tree(const Eigen::Matrix3Xd& vertices) {
   return SurfaceCutter(vertices, Eigen::Matrix3Xi(3, 0)).run(vertices);
 }
 
-HullTree surface_tree(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles,
-                      const Eigen::Matrix3Xd& hull) {
-  return SurfaceCutter(vertices, triangles).run(hull);
+HullTree surface_tree(std::shared_ptr<const geometry::Mesh> surface, const Eigen::Matrix3Xd& hull) {
+  HullTree tree = SurfaceCutter(surface->vertices, surface->triangles).run(hull);
+  tree.surface = std::move(surface);
+  return tree;
 }
 
 }  // namespace graspless::collision

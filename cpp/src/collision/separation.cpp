@@ -25,6 +25,7 @@ constexpr std::size_t kMany = 16;   // witnesses; a new search may find fewer
 constexpr double kMuch = 2;         // a search hardly ever improves a bound by this factor
 constexpr double kNear = 0.5;       // a bound this close to another is as good
 constexpr double kLarge = 0.25;     // of the hulls; parts hardly improve a larger bound
+constexpr int kMaxFacets = 4096;    // pairs with a triangle, in one search
 
 /// Up to four points, and the point of their hull nearest to the origin.
 class Simplex {
@@ -97,8 +98,13 @@ class Simplex {
 class Separation {
  public:
   Separation(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB, double enough,
-             Witnesses& witnesses)
-      : a_(a), b_(b), X_AB_(X_AB), enough_(enough), witnesses_(witnesses) {}
+             bool by_triangle, Witnesses& witnesses)
+      : a_(a),
+        b_(b),
+        X_AB_(X_AB),
+        enough_(enough),
+        by_triangle_(by_triangle),
+        witnesses_(witnesses) {}
 
   /// Searches where the witnesses of the last search do not prove enough. With `is_quick`, only
   /// where a search may improve what they prove to be enough.
@@ -126,8 +132,7 @@ class Separation {
     Witnesses known;
     std::swap(known, witnesses_);
     for (const auto& [i, j, direction_A] : known) {
-      const Bound now{nearest(a_.hulls[i], b_.hulls[j], direction_A).dot(direction_A) - radii_,
-                      direction_A};
+      const Bound now{nearest(i, j, direction_A).dot(direction_A) - radii_, direction_A};
       descend(i, j, now.distance >= enough_ ? now : bound(i, j, direction_A));
     }
   }
@@ -140,9 +145,10 @@ class Separation {
 
   /// Finds a lower bound on the distance of two hulls, of which `known` is one.
   void descend(int i, int j, const Bound& known) {
-    const Hull &a = a_.hulls[i], &b = b_.hulls[j];
     if (answer_ == 0) return;
-    if (!can_gain(a, b, known.distance) || pairs_ > kMaxPairs) return settle(i, j, known);
+    if (by_triangle_ && has_facets(i, j, known.distance)) return split(i, j, known);
+    if (!can_gain(i, j, known.distance) || pairs_ > kMaxPairs) return settle(i, j, known);
+    const Hull &a = a_.hulls[i], &b = b_.hulls[j];
     const bool cut_a = b.child < 0 || (a.child >= 0 && a.half.squaredNorm() > b.half.squaredNorm());
     const int i0 = cut_a ? a.child : i, j0 = cut_a ? j : b.child;
     const int i1 = cut_a ? i0 + 1 : i, j1 = cut_a ? j : j0 + 1;
@@ -156,23 +162,62 @@ class Separation {
     }
   }
 
+  static const Hull* hull(const HullTree& tree, int part) {
+    return part < static_cast<int>(tree.hulls.size()) ? &tree.hulls[part] : nullptr;
+  }
+  /// Number of triangles of a part, if it is a leaf of a surface.
+  static int num_facets(const Hull* leaf) { return leaf ? leaf->end - leaf->begin : 0; }
+
+  /// True if no hull is left to cut, and triangles may be farther apart than their hulls.
+  bool has_facets(int i, int j, double known) const {
+    const Hull *a = hull(a_, i), *b = hull(b_, j);
+    if ((a && a->child >= 0) || (b && b->child >= 0) || facets_ > kMaxFacets) return false;
+    const double sizes =
+        (num_facets(a) > 0 ? a->half.norm() : 0) + (num_facets(b) > 0 ? b->half.norm() : 0);
+    return known < std::min({least_, enough_, kLarge * sizes});
+  }
+
+  /// Goes through the triangles of a leaf.
+  void split(int i, int j, const Bound& known) {
+    const Hull *a = hull(a_, i), *b = hull(b_, j);
+    const bool split_a =
+        num_facets(b) == 0 || (num_facets(a) > 0 && a->half.squaredNorm() > b->half.squaredNorm());
+    const HullTree& tree = split_a ? a_ : b_;
+    const Hull& leaf = split_a ? *a : *b;
+    const int first = static_cast<int>(tree.hulls.size());
+    for (int k = leaf.begin; k < leaf.end && answer_ > 0; ++k) {
+      const int facet = first + tree.order[k];
+      const int at_a = split_a ? facet : i, at_b = split_a ? j : facet;
+      descend(at_a, at_b, bound(at_a, at_b, known.direction_A));
+    }
+  }
+
   /// True if parts of two hulls may be farther apart than the hulls, by more than it costs to see.
+  bool can_gain(int i, int j, double known) const {
+    const Hull *of_a = hull(a_, i), *of_b = hull(b_, j);
+    return of_a && of_b && can_gain(*of_a, *of_b, known);
+  }
   bool can_gain(const Hull& a, const Hull& b, double known) const {
     if (known >= least_ || known >= enough_ || (a.child < 0 && b.child < 0)) return false;
     return known < kLarge * ((a.child < 0 ? 0 : a.half.norm()) + (b.child < 0 ? 0 : b.half.norm()));
   }
 
   /// Point of the hulls' difference a - b that lies farthest against a direction.
-  Vector3d nearest(const Hull& a, const Hull& b, const Vector3d& direction_A) const {
-    return a_.farthest(a, -direction_A) -
-           X_AB_ * b_.farthest(b, X_AB_.linear().transpose() * direction_A);
+  Vector3d nearest(int i, int j, const Vector3d& direction_A) const {
+    return farthest(a_, i, -direction_A) -
+           X_AB_ * farthest(b_, j, X_AB_.linear().transpose() * direction_A);
+  }
+  static Vector3d farthest(const HullTree& tree, int part, const Vector3d& direction) {
+    const int facet = part - static_cast<int>(tree.hulls.size());
+    return facet < 0 ? tree.farthest(tree.hulls[part], direction)
+                     : tree.farthest_corner(facet, direction);
   }
 
   /// Returns the least distance that the witnesses prove; 0 without any.
   double confirm() const {
     double least = witnesses_.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (const auto& [i, j, direction_A] : witnesses_) {
-      const Vector3d w = nearest(a_.hulls[i], b_.hulls[j], direction_A);
+      const Vector3d w = nearest(i, j, direction_A);
       least = std::min(least, w.dot(direction_A) - radii_);
       if (least <= 0) return 0;
     }
@@ -180,15 +225,14 @@ class Separation {
   }
 
   Bound bound(int i, int j, const Vector3d& start_A) {
-    ++pairs_;
-    const Hull &a = a_.hulls[i], &b = b_.hulls[j];
+    ++(hull(a_, i) && hull(b_, j) ? pairs_ : facets_);
     const double wanted = std::min(enough_, least_);
     Bound best{0, start_A};
     Vector3d direction_A = start_A;
     Simplex simplex;
     double length = std::numeric_limits<double>::infinity();  // of a point of the difference
     for (int step = 0; step < kMaxSteps; ++step) {
-      const Vector3d w = nearest(a, b, direction_A);
+      const Vector3d w = nearest(i, j, direction_A);
       const double along = w.dot(direction_A);
       if (along - radii_ > best.distance) best = {along - radii_, direction_A};
       if (best.distance >= wanted || along - radii_ >= (1 - kTolerance) * (length - radii_)) break;
@@ -196,7 +240,7 @@ class Separation {
       length = v.norm();
       const double most = length - radii_;
       if (!(length > 0 && most > 0)) break;
-      if (most < wanted && can_gain(a, b, most)) break;
+      if (most < wanted && can_gain(i, j, most)) break;
       direction_A = v / length;
     }
     return best;
@@ -205,23 +249,24 @@ class Separation {
   const HullTree &a_, &b_;
   const Eigen::Isometry3d& X_AB_;
   double enough_;
+  bool by_triangle_;
   Witnesses& witnesses_;
   double radii_ = a_.radius + b_.radius;
   double answer_ = std::numeric_limits<double>::infinity();
   double least_ = answer_;  // a pair with this bound is not worth cutting
-  int pairs_ = 0;
+  int pairs_ = 0, facets_ = 0;
 };
 
 }  // namespace
 
 double separation(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB,
-                  double enough, Witnesses& witnesses) {
-  return Separation(a, b, X_AB, enough, witnesses).run(true);
+                  double enough, bool by_triangle, Witnesses& witnesses) {
+  return Separation(a, b, X_AB, enough, by_triangle, witnesses).run(true);
 }
 
 bool are_apart(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB, double margin,
                Witnesses& witnesses) {
-  return Separation(a, b, X_AB, 2 * margin, witnesses).run(false) > margin;
+  return Separation(a, b, X_AB, 2 * margin, false, witnesses).run(false) > margin;
 }
 
 }  // namespace graspless::collision

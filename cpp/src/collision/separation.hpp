@@ -12,7 +12,8 @@
 
 namespace graspless::collision {
 
-/// A direction in which hull i of one tree lies apart from hull j of another.
+/// A direction in which part i of one tree lies apart from part j of another. The hulls are parts,
+/// and after them come the triangles of a surface.
 struct Witness {
   int i, j;
   Eigen::Vector3d direction_A;
@@ -23,9 +24,10 @@ struct Witness {
 using Witnesses = std::vector<Witness>;
 
 /// Returns a lower bound on the distance of two shapes [m]; 0 if parts of them may touch. A bound
-/// of at least `enough` is not improved further.
+/// of at least `enough` is not improved further. With `by_triangle`, the triangles of surfaces
+/// count where their hulls are too near.
 double separation(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB,
-                  double enough, Witnesses& witnesses);
+                  double enough, bool by_triangle, Witnesses& witnesses);
 
 /// True if two shapes are proven to be more than `margin` [m] apart.
 bool are_apart(const HullTree& a, const HullTree& b, const Eigen::Isometry3d& X_AB, double margin,

@@ -88,7 +88,7 @@ void World::add_pair(int a, int b) {
   impl_->require_body(b, "b");
   if (a == b) throw std::invalid_argument("body '" + name(a) + "' cannot be tested against itself");
   if (impl_->find(a, b) >= 0) return;
-  impl_->pairs.push_back({std::min(a, b), std::max(a, b), Eigen::Vector3d::Zero(), 0, {}});
+  impl_->pairs.push_back({std::min(a, b), std::max(a, b), Eigen::Vector3d::Zero(), 0, {}, {}});
   ++impl_->revision;
 }
 

@@ -36,8 +36,9 @@ struct WorldBox {
 struct Pair {
   int a, b;
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
-  double clearance = 0;                      // [m]; no farther apart counts as touching
-  mutable std::vector<Witnesses> witnesses;  // of each pair of shapes
+  double clearance = 0;  // [m]; no farther apart counts as touching
+  // Of each pair of shapes: of their hulls alone, and of their triangles, too.
+  mutable std::vector<Witnesses> witnesses, tight_witnesses;
 };
 
 struct World::Impl {
@@ -57,10 +58,10 @@ struct World::Impl {
   int find(int a, int b) const;
   int require_pair(int a, int b) const;  ///< throws std::invalid_argument if it is not tested
   void place(int body);
-  /// Calls visit(shape a, placement a, shape b, placement b) until it returns true; returns true if
-  /// it did.
+  /// Calls visit(shape a, placement a, shape b, placement b, their witnesses) until it returns
+  /// true; returns true if it did.
   template <typename Visit>
-  bool any_shapes(const Pair& pair, Visit visit) const;
+  bool any_shapes(const Pair& pair, std::vector<Witnesses>& witnesses, Visit visit) const;
   bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
                  const Placement& at_b, const Eigen::Vector3d& shift_W);
   /// True if the bodies' boxes show that a pair neither touches nor swallows.
@@ -68,7 +69,8 @@ struct World::Impl {
   bool touch(const Pair& pair);
   bool touch_by_fcl(const Pair& pair);
   bool swallows(const Pair& pair) const;
-  /// With `tight`, the hulls of all shapes are used, not only those of meshes.
+  /// With `tight`, the hulls of all shapes are used, not only those of meshes, and the triangles of
+  /// surfaces.
   double bound(const Pair& pair, double enough, bool tight) const;
 };
 

@@ -183,8 +183,9 @@ TEST(DistanceBounds, HoldAlongMotionsOfFineSurfaces) {
                             first.slerp(t, last));
       const double enough = i % 3 == 0 ? 0.01 : i % 3 == 1 ? 0.1 : 10;
       const double bound = world.distance_bound(0, enough);
-      EXPECT_LE(std::min(bound, enough),
-                least_distance(p_A, world.pose(0), p_B, world.pose(1)) + 1e-12);
+      const double distance = least_distance(p_A, world.pose(0), p_B, world.pose(1));
+      EXPECT_LE(std::min(bound, enough), distance + 1e-12);
+      EXPECT_LE(std::min(world.proven_distance(0, enough), enough), distance + 1e-12);
       const bool touches = !world.all_collisions().empty();
       EXPECT_EQ(world.collides(), touches);
       if (bound > 1e-9) {
@@ -235,6 +236,25 @@ TEST(AllCollisions, AreThoseOfFclForEveryTwoShapes) {
   }
   EXPECT_GT(touching, 100);
   EXPECT_GT(apart, 100);
+}
+
+// All triangles of the tube are in one hull, which the rod lies in.
+TEST(ProvenDistance, OfASurfaceIsThatOfItsTriangles) {
+  std::mt19937 rng(6);
+  const geometry::Mesh tube = square_tube(1, 0.5, 1);
+  for (const Shape& rod : {Shape{geometry::Capsule{0.03, 0.1}}, Shape{geometry::Sphere{0.03}},
+                           Shape{dented_prism(3, 0.03, 0.1)}}) {
+    const auto p_T = points_of(tube, rng, 20000), p_R = points_of(rod, rng, 300);
+    for (int i = 0; i < 20; ++i) {
+      World world = two_bodies(tube, rod);  // witnesses of another pose would do
+      world.set_pose(1, random_pose(rng, 0.15));
+      const double distance = least_distance(p_T, world.pose(0), p_R, world.pose(1));
+      const double proven = world.proven_distance(0, 1);
+      EXPECT_EQ(world.distance_bound(0), 0);
+      EXPECT_LE(proven, distance + 1e-12);
+      EXPECT_GE(proven, 0.4 * (distance - 0.02));  // of sampled points
+    }
+  }
 }
 
 TEST(DistanceBounds, SeeThroughTheHullOfAConcaveSurface) {
