@@ -202,8 +202,11 @@ class AnyPlan:
         """Returns the faults of a solved plan."""
         return list(self._planner.check(self.task.problem, self, self.task.options))
 
-    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
-        """Returns the certificates of a solved plan, each with the words before its doubts."""
+    def _certificates(self) -> list[tuple[str, EdgeCertificate | None]]:
+        """Returns the certificates of a solved plan, each with the words before its doubts.
+
+        None stands for a motion that has no joints.
+        """
         task = self.task
         return [("", self._planner.certify(task.problem, self, task.options))]
 

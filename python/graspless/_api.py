@@ -18,6 +18,10 @@ from .proving import proof
 
 MOST_SEEDS = 20  # of a search for a plan that is certified
 SEEDS = 2**64  # number of seeds
+NO_JOINTS = (
+    "not certified: bare fingertips have no joint paths, so nothing between the rows is proven; "
+    "give the task a robot"
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -219,7 +223,7 @@ def plan_certified(
         doubts = checked(plan, with_certificate=True)[0] if plan else []
         if plan and len(doubts) < fewest:
             best, fewest = plan, len(doubts)
-        if fewest == 0:
+        if all(doubt.endswith(NO_JOINTS) for doubt in doubts):  # no other seed is proven better
             break
     return best
 
@@ -238,7 +242,8 @@ def check(plan: Plan | str | Path, *, certify: bool = False) -> list[str]:
     -------
     list of str
         Faults by segment and row; empty if the plan holds and, with `certify`, every edge is
-        certified. One that was changed after the trials of its `proof` has a fault.
+        certified, which a plan of bare fingertips never is. A plan that was changed after the
+        trials of its `proof` has a fault.
     """
     return checked(plan, certify)[0]
 
@@ -257,10 +262,12 @@ def checked(
         faults.append(changed)
     if faults or not with_certificate:
         return faults, None
-    parts = given._certificates()
-    doubts = [f"{words}{doubt}" for words, part in parts for doubt in part.doubts]
-    proven = sum(part.num_certified for _, part in parts)
-    return doubts, (proven, sum(part.num_edges for _, part in parts))
+    found = given._certificates()
+    doubts = [f"{words}{NO_JOINTS}" for words, part in found if part is None]
+    found = [(words, part) for words, part in found if part is not None]
+    doubts += [f"{words}{doubt}" for words, part in found for doubt in part.doubts]
+    proven = sum(part.num_certified for _, part in found)
+    return doubts, (proven, sum(part.num_edges for _, part in found))
 
 
 def certify(plan: Plan | str | Path) -> list[EdgeCertificate]:
@@ -290,4 +297,4 @@ def certify(plan: Plan | str | Path) -> list[EdgeCertificate]:
     given: Any = as_plan(plan)
     if not given:
         raise ValueError(f"plan: its status is {given.status}; only solved plans are certified")
-    return [part for _, part in given._certificates()]
+    return [part for _, part in given._certificates() if part is not None]

@@ -205,6 +205,8 @@ def _check(options: argparse.Namespace) -> int:
         print(json.dumps(result))
     else:
         print(report.verdict(plan, faults, edges))
+        if plan.proof is not None and not faults:
+            print(plan.proof)
     return NOT_FOUND if faults else FOUND
 
 

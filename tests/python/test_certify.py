@@ -48,12 +48,6 @@ def test_every_kind_is_proven(name, count):
         assert certificate, [str(doubt) for doubt in certificate.doubts]
 
 
-def test_a_plan_without_joints_has_no_edges():
-    found = graspless.plan(EXAMPLES / "06_push_block.yaml", seed=1)
-    assert graspless.certify(found) == []
-    assert graspless.check(found, certify=True) == []
-
-
 def with_ball(plan, p, radius):
     problem = plan.task.problem
     ball = geometry.PlacedShape(geometry.Sphere(radius))
@@ -187,10 +181,16 @@ def test_certify_and_prove_are_not_combined(tmp_path, capsys):
     assert "edges between rows are certified" in capsys.readouterr().out
 
 
-def test_a_plan_without_joints_has_no_certified_edges(tmp_path, capsys):
+def test_a_plan_without_joints_is_not_certified(tmp_path, capsys):
     path = str(tmp_path / "plan.json")
-    main(["plan", str(EXAMPLES / "06_push_block.yaml"), "-o", path])
-    assert main(["check", path, "--certify"]) == 0
-    said = capsys.readouterr().out
-    assert "it moves no joints, so there are no edges to certify" in said
-    assert "are certified" not in said
+    push = graspless.plan(EXAMPLES / "06_push_block.yaml", seed=3, certify=True)
+    assert push.seed == 3  # no other seed is tried
+    push.save(path)
+    assert graspless.check(push) == []
+    (fault,) = graspless.check(push, certify=True)
+    assert fault.startswith("not certified: bare fingertips have no joint paths")
+    assert graspless.certify(push) == []
+    assert main(["check", path]) == 0
+    capsys.readouterr()
+    assert main(["check", path, "--certify"]) == 1
+    assert capsys.readouterr().out == f"is not certified:\n{fault}\n"

@@ -390,6 +390,8 @@ def test_the_command(task, engine, tmp_path, capsys):
     (tmp_path / "task.yaml").write_text(GOOD)
     files = str(tmp_path / "task.yaml"), "-o", str(tmp_path / "plan.json")
     engine(lambda plan, variation: [])
+    code, out, _ = run(capsys, "plan", *files, "--prove", "4")
+    assert (code, out.count("proven in 5 of 5 trials")) == (0, 1)
     code, out, _ = run(capsys, "plan", *files, "--prove", "4", "--json")
     assert code == 0
     assert json.loads(out)["proof"]["held"] == 5

@@ -146,7 +146,7 @@ class Plan(AnyPlan):
         asked = self.task.problem.stages
         return faults + check_joins(asked, self.names, self.stages, self.joins, self.contents)
 
-    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
+    def _certificates(self) -> list[tuple[str, EdgeCertificate | None]]:
         """Returns the certificates of all stages."""
         return [
             (f"stage {k} '{name}': {words}", found)

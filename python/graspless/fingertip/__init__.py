@@ -155,11 +155,11 @@ class Plan(AnyPlan, _core.Plan):
             task.problem, self, arm.robot, arm.carrier, self.realization, arm.options
         )
 
-    def _certificates(self) -> list[tuple[str, EdgeCertificate]]:
-        """Returns the certificate of the joint paths; without a robot there are none."""
+    def _certificates(self) -> list[tuple[str, EdgeCertificate | None]]:
+        """Returns the certificate of the joint paths; None without a robot."""
         arm, paths = self.task.arm, self.realization
         if arm is None or paths is None:
-            return []
+            return [("", None)]
         found = certify_realization(
             self.task.problem, self, arm.robot, arm.carrier, paths, arm.options
         )

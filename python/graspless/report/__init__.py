@@ -95,7 +95,8 @@ def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None)
     """
     if faults:
         if edges is not None:
-            head = f"is not certified, {edges[0]} of {edges[1]} edges are certified:"
+            proven = f", {edges[0]} of {edges[1]} edges are certified" if edges[1] else ""
+            head = f"is not certified{proven}:"
         else:
             head = "does not hold:" if plan else "not solved:"
         return "\n".join([head, *_shortened(faults)])
@@ -103,16 +104,9 @@ def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None)
         return "nothing to check: not solved"
     rows = sum(map(len, plan.segments))
     segments = count(len(plan.segments), "segments")
-    certified = ""
-    if edges is not None:
-        certified = (
-            f", and all {edges[1]} edges between rows are certified"
-            if edges[1]
-            else "; it moves no joints, so there are no edges to certify, and its rows are samples"
-        )
+    certified = "" if edges is None else f", and all {edges[1]} edges between rows are certified"
     found = f"an independent replay found no fault{certified}"
-    held = f"holds: {segments}, {count(rows, 'rows')}; {found}"
-    return held if plan.proof is None else f"{held}\n{plan.proof}"
+    return f"holds: {segments}, {count(rows, 'rows')}; {found}"
 
 
 def count(number: float, things: str) -> str:
