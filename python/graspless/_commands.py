@@ -35,6 +35,11 @@ def add_trust(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_seconds(parser: argparse.ArgumentParser, about: str) -> None:
+    """Adds the flag --seconds, named as in task files and in Python; --time is the same."""
+    parser.add_argument("--seconds", "--time", type=float, metavar="S", help=about)
+
+
 def add_packages(parser: argparse.ArgumentParser) -> None:
     """Adds the flag --package, for commands that read a robot."""
     parser.add_argument(

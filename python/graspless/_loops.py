@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._arguments import require_integer
 from ._commands import FOUND, NOT_FOUND
 from .errors import TaskError
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 MESHES = (".stl", ".obj", ".off")
 SCENES = (".yaml", ".yml")
+POINTS = 2000  # sampled on a mesh
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -40,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--object", metavar="NAME", help="object of the scene file")
     parser.add_argument(
+        "--viewpoints",
         "--views",
         type=float,
         nargs="+",
@@ -56,9 +59,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--points",
         type=int,
-        default=2000,
         metavar="N",
-        help="number of points to sample on a mesh (default: %(default)s)",
+        help=f"number of points to sample on a mesh (default: {POINTS})",
     )
     parser.add_argument(
         "--seed",
@@ -68,6 +70,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="seed of the sampling (default: %(default)s)",
     )
     parser.add_argument(
+        "--max-edge-length",
         "--edge",
         type=float,
         metavar="D",
@@ -95,7 +98,8 @@ def _run(options: argparse.Namespace) -> int:
         files.check_writable(options.png)
     cloud, rays = _read(options)
     asked = geometry.LoopOptions()
-    asked.max_edge_length = asked.max_edge_length if options.edge is None else options.edge
+    if options.max_edge_length is not None:
+        asked.max_edge_length = options.max_edge_length
     asked.polish = options.polish
     asked.threads = options.threads
     try:
@@ -122,11 +126,17 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
             if is_scene
             else f"--object: {options.object}: only for objects of a scene file (.yaml)"
         )
+    count = POINTS if options.points is None else options.points
+    require_integer("--points", count, least=1)
+    if options.points is not None and Path(options.file).suffix.lower() not in MESHES:
+        raise TaskError(f"--points: {count}: only for meshes ({', '.join(MESHES)})")
     if not is_scene:
-        points = read_points(options.file, options.unit, options.points, options.seed)
+        points = read_points(options.file, options.unit, count, options.seed)
         return points, _rays(points, options)
-    if options.views:
-        raise TaskError("--views: only for clouds; a scene file has its rays")
+    if options.unit != "m":
+        raise TaskError(f"--unit: {options.unit}: not for scene files, which are in metres")
+    if options.viewpoints:
+        raise TaskError("--viewpoints: only for clouds; a scene file has its rays")
     from .perception import load_scene
     from .tasks.scenes import named
     from .tasks.source import Source
@@ -137,20 +147,21 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
 
 
 def _rays(points: Matrix, options: argparse.Namespace) -> list[geometry.RayImage]:
-    """Returns the rays of the cameras of --views."""
+    """Returns the rays of the cameras of --viewpoints."""
     from . import geometry
 
-    if not options.views:
+    if not options.viewpoints:
         return []
-    if len(options.views) % 3:
+    if len(options.viewpoints) % 3:
         raise TaskError(
-            f"--views has {len(options.views)} numbers; it must have three for each camera: x y z"
+            f"--viewpoints has {len(options.viewpoints)} numbers; it must have three for each "
+            "camera: x y z"
         )
-    eyes = (0.001 if options.unit == "mm" else 1.0) * np.reshape(options.views, (-1, 3))
+    eyes = (0.001 if options.unit == "mm" else 1.0) * np.reshape(options.viewpoints, (-1, 3))
     try:
         return geometry.rays_from_viewpoints(points, eyes)
     except ValueError as error:
-        raise TaskError(f"--views: {error}") from None
+        raise TaskError(f"--viewpoints: {error}") from None
 
 
 def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:

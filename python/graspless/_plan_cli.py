@@ -14,6 +14,7 @@ from ._commands import (
     FOUND,
     INTERRUPTED,
     NOT_FOUND,
+    add_seconds,
     add_trust,
     read_stdin,
     require_apart,
@@ -47,12 +48,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed", type=int, metavar="N", help="seed of the random numbers, overrides the task"
     )
-    parser.add_argument(
-        "--time",
-        type=float,
-        metavar="S",
-        help="time limit [s], overrides the task; with --prove, of all searches and trials "
-        "together (default then: 600)",
+    add_seconds(
+        parser,
+        "time limit [s], overrides the task; with --prove, of all searches and trials together "
+        "(default then: 600)",
     )
     parser.add_argument(
         "--iterations",
@@ -89,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
     if not to_stdout:
         files.check_writable(options.output)
     check_pictures(options)
-    with limits.reading(options.time, alarm=True) as clock:
+    with limits.reading(options.seconds, alarm=True) as clock:
         if options.task != "-":
             given = load_task(options.task, trust=options.trust)
         else:
@@ -121,7 +120,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
     """Returns the task with the values of the command line; errors name the flags."""
-    flags = {"seed": options.seed, "seconds": options.time, "iterations": options.iterations}
+    flags = {"seed": options.seed, "seconds": options.seconds, "iterations": options.iterations}
     choices = part("tasks", task.kind).SEARCHES
     if options.search not in (None, *choices):
         shown = ", ".join(choices) or "none, there is a single one"
@@ -132,7 +131,5 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
     try:
         return task.with_changes(search=options.search, **flags)
     except TaskError as error:
-        given = [
-            f"--{name.replace('seconds', 'time')}" for name in flags if flags[name] is not None
-        ]
+        given = [f"--{name}" for name in flags if flags[name] is not None]
         raise TaskError(f"{', '.join(given)}: {str(error).partition(': ')[2]}") from None

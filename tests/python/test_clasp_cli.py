@@ -130,6 +130,9 @@ def test_cloud_without_a_hole_exits_1(tmp_path, monkeypatch, capsys):
         (["purse.xyz", "--edge", "-1"], "purse.xyz: "),
         (["purse.xyz", "--png", "a.gif"], "a.gif: unknown kind of picture"),
         (["purse.xyz", "--unit", "inch"], "invalid choice: 'inch'"),
+        (["purse.xyz", "--points", "-1"], "--points: -1: should be at least 1"),
+        (["purse.xyz", "--points", "100"], "--points: 100: only for meshes (.stl, .obj, .off)"),
+        (["s.yaml", "--object", "a", "--unit", "mm"], "--unit: mm: not for scene files"),
     ],
 )
 def test_bad_input_exits_2_with_one_message(cloud, capsys, arguments, what):

@@ -62,7 +62,7 @@ def test_json_is_all_that_is_printed(task, capsys):
 
 
 def test_flags_change_the_search(task, capsys):
-    flags = ["--seed", "7", "--time", "3", "--iterations", "4000", "--search", "paper"]
+    flags = ["--seed", "7", "--seconds", "3", "--iterations", "4000", "--search", "paper"]
     run(capsys, "plan", "task.yaml", *flags)
     plan = graspless.load_plan("plan.json")
     assert plan.seed == 7
@@ -119,7 +119,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "-o", "none/plan.json"], "none/plan.json: cannot be written"),
         (["plan", "task.yaml", "-o", "."], ".: cannot be written: is a folder"),
         (["plan", "task.yaml", "--png", "none/a.png"], "none/a.png: cannot be written"),
-        (["plan", "task.yaml", "--time", "-1"], "--time: budget.seconds: -1.0: should be greater"),
+        (["plan", "task.yaml", "--time", "-1"], "--seconds: budget.seconds: -1.0: should be"),
         (["plan", "task.yaml", "--seed", "-1"], "--seed: budget.seed: -1: should be greater"),
         (["plan", "task.yaml", "--seed", "x"], "invalid int value: 'x'"),
         (["plan", "task.yaml", "--search", "best"], "invalid choice: 'best'"),

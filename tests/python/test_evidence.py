@@ -236,9 +236,9 @@ def test_bad_views_are_refused(mug, tmp_path, capsys):
         return capsys.readouterr().err
 
     path = tmp_path / "mug.xyz"
-    assert "--views has 2 numbers; it must have three" in refused(path, "--views", 1, 2)
+    assert "--viewpoints has 2 numbers; it must have three" in refused(path, "--views", 1, 2)
     assert "viewpoints[0] is among the points" in refused(path, "--views", 0, 0, 0.05)
     assert "but point 1 is" in refused(path, "--views", 0, 0, 1, 0, 0, "nan")
     perception.save_scene(mug, tmp_path / "scene.yaml")
     scene = (tmp_path / "scene.yaml", "--object", "object_0", "--views", 0, 0, 1)
-    assert "--views: only for clouds" in refused(*scene)
+    assert "--viewpoints: only for clouds" in refused(*scene)

@@ -200,6 +200,8 @@ def test_bad_files_are_refused(folder, capsys):
     assert "d.npz: K's horizontal principal point" in refused(folder / "d.npz")
     assert "no such file" in refused(folder / "none.npz")
     assert "unknown kind of file" in refused(folder / "scene.yaml")
+    said = refused(folder / "frame.npz", "--viewpoint", 0, 0, 1)
+    assert said.startswith("--viewpoint: 0 0 1: only for clouds (.ply, .pcd, .xyz); the array X_WC")
     (folder / "cloud.xyz").write_text("0 0 1\n")
     assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
     assert main(["see", str(folder / "a.npz"), "-o", str(folder / "x.json")]) == 2

@@ -11,7 +11,7 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_trust
+from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_seconds, add_trust
 
 if TYPE_CHECKING:
     import argparse
@@ -65,9 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed", type=int, metavar="N", help="seed of the random numbers, overrides every task"
     )
-    parser.add_argument(
-        "--time", type=float, metavar="S", help="time limit [s], overrides every task"
-    )
+    add_seconds(parser, "time limit [s], overrides every task")
     parser.add_argument(
         "--iterations",
         type=int,
@@ -99,7 +97,7 @@ def _batch(options: argparse.Namespace) -> int:
             jobs=options.jobs,
             dask=options.dask,
             seed=options.seed,
-            seconds=options.time,
+            seconds=options.seconds,
             iterations=options.iterations,
             prove=options.prove,
             patience=options.patience,

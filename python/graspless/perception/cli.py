@@ -81,6 +81,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
+    _require_cloud(options)
     views = [read_view(Path(path), options.viewpoint) for path in options.files]
     try:
         scene = perception.perceive_views(views)
@@ -97,6 +98,17 @@ def _run(options: argparse.Namespace) -> int:
         written = [options.output, *([] if options.png is None else [options.png])]
         print(f"written: {', '.join(written)}")
     return FOUND if scene else NOT_FOUND
+
+
+def _require_cloud(options: argparse.Namespace) -> None:
+    """Raises TaskError if --viewpoint would have no effect."""
+    if options.viewpoint is None or any(Path(f).suffix.lower() in CLOUDS for f in options.files):
+        return
+    given = " ".join(f"{x:g}" for x in options.viewpoint)
+    raise TaskError(
+        f"--viewpoint: {given}: only for clouds ({', '.join(CLOUDS)}); the array X_WC of an .npz "
+        "file says where its camera was"
+    )
 
 
 def read_view(path: Path, viewpoint: list[float] | None) -> View:

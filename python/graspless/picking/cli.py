@@ -8,7 +8,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from .. import _data
-from .._commands import EXIT_CODES, FOUND, NOT_FOUND
+from .._commands import EXIT_CODES, FOUND, NOT_FOUND, add_seconds
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--best-of", type=int, metavar="N", help="find N plans and keep the shortest (default: 1)"
     )
-    parser.add_argument("--time", type=float, metavar="S", help="time limit [s] (default: 10)")
+    add_seconds(parser, "time limit [s] (default: 10)")
     parser.add_argument(
         "--seed", type=int, metavar="N", help="seed of the random numbers (default: 1)"
     )
@@ -137,7 +137,7 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
         given = {"scene": options.scene, "name": options.name}
     same = ("robot", "lift", "respect", "max_age", "mass", "grip_force", "seed")
     flags = {name: getattr(options, name) for name in same}
-    flags |= {"best_of": options.best_of, "seconds": options.time}
+    flags |= {"best_of": options.best_of, "seconds": options.seconds}
     if options.strategies is not None:
         flags["strategies"] = options.strategies.split(",")
     if options.place is not None:

@@ -50,7 +50,7 @@ def searched(task: Any, began: float, options: argparse.Namespace) -> Plan:
         return plan
     if options.certify:
         raise TaskError("--certify: cannot be combined with --prove: each searches by its own rule")
-    limit = limit_of(options.time)
+    limit = limit_of(options.seconds)
     with progress.waiting(f"planning and simulating, at most {limit:g} s"):
-        plan = prove(task, options.prove, jobs=options.jobs, seconds=options.time, began=began)
+        plan = prove(task, options.prove, jobs=options.jobs, seconds=options.seconds, began=began)
     return plan
