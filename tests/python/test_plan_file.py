@@ -5,6 +5,7 @@
 import importlib.util
 import json
 import pathlib
+import re
 import stat
 
 import numpy as np
@@ -231,6 +232,9 @@ def test_schema_is_that_of_the_model(document):
     fields = published["$defs"][kind]
     assert set(fields["required"]) <= set(document)
     assert set(document) <= set(fields["properties"])
+    # In brackets there are units: [N] is newtons. Shapes are (N, 3).
+    for text in re.findall(r'"description": "(.*)"', schema.text() + schema.trajectory_text()):
+        assert not re.search(r"^\[(?!m\])|\]\[", text), text
 
 
 def test_writes_whole_or_not_at_all(tmp_path, monkeypatch):

@@ -34,65 +34,65 @@ class Segment(_core.Segment):
 
     @property
     def object_poses(self) -> Matrix:
-        """[N, 4, 4] pose of O in the world at each row."""
+        """(N, 4, 4) pose of O in the world at each row."""
         return self._arrays[0]
 
     @cached_property
     def touches(self) -> NDArray[np.bool_]:
-        """[N, n] True if a finger is on the object."""
+        """(N, n) True if a finger is on the object."""
         touches: NDArray[np.bool_] = self._arrays[2][..., 0] != 0
         return touches
 
     @cached_property
     def fingers(self) -> Matrix:
-        """[N, n, 3] contact points in O [m]; NaN while a finger is off the object."""
+        """(N, n, 3) contact points in O [m]; NaN while a finger is off the object."""
         return self._points(1)
 
     @cached_property
     def normals(self) -> Matrix:
-        """[N, n, 3] unit normals into the object, in O; NaN while a finger is off it."""
+        """(N, n, 3) unit normals into the object, in O; NaN while a finger is off it."""
         return self._points(4)
 
     @cached_property
     def modes(self) -> list[list[str]]:
-        """[N][n] control of each finger: position or force."""
+        """(N, n) control of each finger: position or force."""
         is_force = self._arrays[2][..., 7] != 0
         modes: list[list[str]] = np.where(is_force, "force", "position").tolist()
         return modes
 
     @property
     def commanded_forces(self) -> Matrix:
-        """[N, n] normal force in force control, else 0 [N]."""
+        """(N, n) normal force in force control, else 0 [N]."""
         return self._arrays[2][..., 8]
 
     @property
     def nominal_forces(self) -> Matrix:
-        """[N, n, 3] forces on the object to feed forward, in O [N]."""
+        """(N, n, 3) forces on the object to feed forward, in O [N]."""
         return self._arrays[2][..., 9:]
 
     @property
     def stability(self) -> Matrix:
-        """[N] z [N]."""
+        """(N,) z [N]."""
         return self._arrays[1][:, 0]
 
     @property
     def compliant_stability(self) -> Matrix:
-        """[N] see mechanics.compliant_stability [N]."""
+        """(N,) see mechanics.compliant_stability [N]."""
         return self._arrays[1][:, 1]
 
     @property
     def nominal_margin(self) -> Matrix:
-        """[N] margin of the nominal forces [N]."""
+        """(N,) margin of the nominal forces [N]."""
         return self._arrays[1][:, 2]
 
     @property
     def withstands(self) -> Matrix:
-        """[N] largest disturbance that each row withstands, fingers in their places [N]."""
+        """(N,) largest disturbance that each row withstands, fingers in their places [N]."""
         return self._arrays[1][:, 3]
 
     @property
     def place_tolerance(self) -> Matrix:
-        """[N] error of every finger's place that each row tolerates [m].
+        """(N,) error of every finger's place that each row tolerates [m].
 
         With an error of e, a row withstands `withstands` (1 - e / `place_tolerance`).
         """
@@ -104,7 +104,7 @@ class JointSegment(_core.JointSegment):
 
     @cached_property
     def object_poses(self) -> Matrix:
-        """[N, 4, 4] pose of O in the world at each row."""
+        """(N, 4, 4) pose of O in the world at each row."""
         return self.X_WO
 
 

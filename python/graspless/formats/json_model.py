@@ -21,20 +21,20 @@ class TrajectoryFile(Fields):
     duration: float = Field(description="duration [s]")
     joint_names: list[str] = Field(description="names of the columns of positions")
     segments: list[str] = Field(description="names of the segments, in order")
-    times: list[float] = Field(description="[N] times from 0, increasing [s]")
-    segment_index: list[int] = Field(description="[N] index in `segments`")
+    times: list[float] = Field(description="(N,) times from 0, increasing [s]")
+    segment_index: list[int] = Field(description="(N,) index in `segments`")
     rows: list[float] = Field(
-        description="[N] place in that segment of the plan: 2.25 is a quarter of the way from row "
+        description="(N,) place in that segment of the plan: 2.25 is a quarter of the way from row "
         "2 to row 3; in a regrasp without an arm, from 0 to 1"
     )
-    positions: list[list[float]] = Field(description="[N][dof] positions, rad or m")
-    velocities: list[list[float]] = Field(description="[N][dof] velocities, rad/s or m/s")
-    accelerations: list[list[float]] = Field(description="[N][dof] accelerations, rad/s^2 or m/s^2")
+    positions: list[list[float]] = Field(description="(N, dof) positions, rad or m")
+    velocities: list[list[float]] = Field(description="(N, dof) velocities, rad/s or m/s")
+    accelerations: list[list[float]] = Field(description="(N, dof) accelerations, rad/s^2 or m/s^2")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
     )
     fingers: list[list[Point3 | None]] = Field(
-        description="[N][n][3] contact points of bare fingertips in the world [m]; null while off "
+        description="(N, n, 3) contact points of bare fingertips in the world [m]; null while off "
         "the object"
     )
 

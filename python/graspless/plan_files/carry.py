@@ -24,9 +24,9 @@ class Segment(Table):
     MAKE: ClassVar = carry.Segment
 
     name: str = Field(description="carry; with places transfer, lower, open or retreat")
-    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
     )
 
 

@@ -32,7 +32,7 @@ class Join(Fields):
     )
     X_WO: PoseRow = Field(description="pose of the object")
     positions: list[float] | None = Field(
-        default=None, description="[dof] all joints, rad or m; null without an arm"
+        default=None, description="(dof,) all joints, rad or m; null without an arm"
     )
 
 

@@ -26,12 +26,12 @@ class Segment(Table):
     MAKE: ClassVar = clasp.Segment
 
     name: str = Field(description="reach or close")
-    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] pose of the object, x y z qw qx qy qz in the world, equal in all rows"
+        description="(N, 7) pose of the object, x y z qw qx qy qz in the world, equal in all rows"
     )
     virtual_linking: list[list[float]] = Field(
-        description="[N][curves] virtual linking of every finger curve with the clasped loop"
+        description="(N, curves) virtual linking of every finger curve with the clasped loop"
     )
 
 
@@ -107,8 +107,8 @@ class Tree(Table):
     MAKE: ClassVar = clasp.Tree
     ATTRIBUTES: ClassVar = {"points": "p_W"}
 
-    points: list[Point3] = Field(description="[N] centre of the hand's curves in the world [m]")
-    parents: list[Index] = Field(description="[N] index of a node's parent; its own for the root")
+    points: list[Point3] = Field(description="(N, 3) centres of the hand's curves in the world [m]")
+    parents: list[Index] = Field(description="(N,) index of a node's parent; its own for the root")
     path: list[Index] = Field(description="nodes from the root to the clasp")
 
     @model_validator(mode="after")

@@ -51,32 +51,32 @@ class Segment(Table):
     name: str = Field(description="slide, turn, tumble or regrasp")
     finger: Index = Field(description="index of the finger that regrasps, else -1")
     X_WO: list[PoseRow] = Field(
-        description="[K][7] poses of the lattice, x y z qw qx qy qz in the world"
+        description="(K, 7) poses of the lattice, x y z qw qx qy qz in the world"
     )
-    object_poses: list[PoseRow] = Field(description="[N][7] pose of each row")
+    object_poses: list[PoseRow] = Field(description="(N, 7) pose of each row")
     fingers: list[list[Point3 | None]] = Field(
-        description="[N][n][3] contact points in the object frame [m]; null: off the object"
+        description="(N, n, 3) contact points in the object frame [m]; null: off the object"
     )
     normals: list[list[Point3 | None]] = Field(
-        description="[N][n][3] unit normals into the object, in the object frame"
+        description="(N, n, 3) unit normals into the object, in the object frame"
     )
-    modes: list[list[Literal["position", "force"]]] = Field(description="[N][n] control modes")
+    modes: list[list[Literal["position", "force"]]] = Field(description="(N, n) control modes")
     commanded_forces: list[list[float]] = Field(
-        description="[N][n] normal force in force control, else 0 [N]"
+        description="(N, n) normal force in force control, else 0 [N]"
     )
     nominal_forces: list[list[Point3]] = Field(
-        description="[N][n][3] forces on the object, in the object frame, for feed-forward [N]"
+        description="(N, n, 3) forces on the object, in the object frame, for feed-forward [N]"
     )
-    stability: list[float] = Field(description="[N] stability z [N]")
+    stability: list[float] = Field(description="(N,) stability z [N]")
     compliant_stability: list[float] = Field(
-        description="[N] stability with contacts as springs [N]"
+        description="(N,) stability with contacts as springs [N]"
     )
-    nominal_margin: list[float] = Field(description="[N] margin of the nominal forces [N]")
+    nominal_margin: list[float] = Field(description="(N,) margin of the nominal forces [N]")
     withstands: list[float] = Field(
-        description="[N] largest disturbance that each row withstands, fingers in their places [N]"
+        description="(N,) largest disturbance that each row withstands, fingers in their places [N]"
     )
     place_tolerance: list[float] = Field(
-        description="[N] error of every finger's place that each row tolerates [m]"
+        description="(N,) error of every finger's place that each row tolerates [m]"
     )
 
     def check(self, where: str, fingers: int) -> None:
@@ -117,9 +117,9 @@ class JointSegment(Table):
     scrub: float = Field(
         description="largest distance by which a turning fingertip slips on its contact [m]"
     )
-    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
     )
 
 

@@ -25,9 +25,9 @@ class Segment(Table):
     MAKE: ClassVar = pinch.Segment
 
     name: str = Field(description="approach, grasp or close")
-    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
     )
 
 
@@ -45,7 +45,7 @@ class PinchPlanFile(PlanFields):
     )
     X_WH_grasp: PoseRow = Field(description="pose of the hand's grasp frame at the pinch")
     contacts_O: Annotated[list[Point3], Field(max_length=2)] = Field(
-        description="[2][3] contacts of the fingers in O [m]; none unless solved"
+        description="(2, 3) contacts of the fingers in O [m]; none unless solved"
     )
     segments: list[Segment]
     task: PinchTask = Field(

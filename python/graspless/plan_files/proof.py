@@ -28,7 +28,7 @@ class ProofFields(Fields):
     trials: Count = Field(description="number of trials that were done")
     held: Count = Field(description="number of trials that held")
     failures: list[list[Name]] = Field(
-        description="[trials] names of the failures of each trial, the nominal one first"
+        description="(trials,) names of the failures of each trial, the nominal one first"
     )
     varied: dict[str, NotNegative] = Field(
         description="half width of each variation: fractions, metres or radians"

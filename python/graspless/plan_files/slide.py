@@ -24,9 +24,9 @@ class Segment(Table):
     MAKE: ClassVar = slide.Segment
 
     name: str = Field(description="approach, press, slide, lift, reach, grasp, close or retreat")
-    positions: list[list[float]] = Field(description="[N][dof] joint positions, rad or m")
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
-        description="[N][7] poses of the object, x y z qw qx qy qz in the world"
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
     )
 
 
@@ -35,7 +35,7 @@ class Interruption(Table):
 
     MAKE: ClassVar = slide.Interruption
 
-    q: list[float] = Field(description="[dof] commanded joints, rad or m")
+    q: list[float] = Field(description="(dof,) commanded joints, rad or m")
     X_WO: PoseRow = Field(description="measured pose of the object")
     X_WO_goal: PoseRow | None = Field(
         default=None, description="pose of the object at the goal of the interrupted plan"
@@ -49,12 +49,12 @@ class Tube(Table):
 
     position: list[float] = Field(
         default=[],
-        description="[N] largest distance of the object from its planned position, "
+        description="(N,) largest distance of the object from its planned position, "
         "at each row of the slide, m",
     )
     angle: list[float] = Field(
         default=[],
-        description="[N] largest angle of the object from its planned orientation, "
+        description="(N,) largest angle of the object from its planned orientation, "
         "at each row of the slide, rad",
     )
 

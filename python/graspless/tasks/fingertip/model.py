@@ -152,7 +152,7 @@ class Options(Fields):
     """Options of the search: docs/reference/options.md."""
 
     disturbance_directions: list[Direction] | None = Field(
-        default=None, description="[N][6] directions; default: the paper's 76"
+        default=None, description="(N, 6) directions; default: the paper's 76"
     )
     compliance: Compliance = Compliance.model_construct()
 

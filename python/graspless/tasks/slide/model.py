@@ -67,11 +67,11 @@ class Heights(Fields):
     corner: Point2 = Field(description="least x and y of the first cell, in O [m]")
     cell: Positive = Field(description="side of a cell [m]")
     rows: Annotated[list[list[NotNegative]], Field(min_length=1)] = Field(
-        description="[nx][ny] heights over the support, the first index along x; 0: nothing [m]"
+        description="(nx, ny) heights over the support, the first index along x; 0: nothing [m]"
     )
     undersides: list[list[NotNegative]] | None = Field(
         default=None,
-        description="[nx][ny] lowest heights at which the cells were seen [m]; default: they are "
+        description="(nx, ny) lowest heights at which the cells were seen [m]; default: they are "
         "known to be solid",
     )
 
