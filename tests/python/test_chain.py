@@ -224,6 +224,13 @@ def test_where_a_stage_cannot_start(write):
             r"stages\[0\].kind: carry: nothing is held",
         ),
         ("distance: 0.1}", "distance: 0}", 11, r"stages\[1\].line.distance: 0: should be greater"),
+        ("distance: 0.1}", "distance: 2e4}", 11, r"distance: 20000.0: should be .* equal to 10000"),
+        (
+            "name: lift",
+            "name: to the edge",
+            10,
+            r"stages\[0\].name: to the edge: another stage has",
+        ),
         ("[0, 0, 2]", "[0, 0, 0]", 11, r"stages\[1\].line: direction must not be zero"),
         ("kind: slide}", "kind: slide, budget: {}}", 10, r"stages\[0\].budget: must not be given"),
         ("kind: slide}", "kind: slide, robott: {}}", 10, r"stages\[0\].robott: unknown field"),

@@ -361,6 +361,10 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
         ({"name": "spoon"}, r"name: spoon: the scene has no 'spoon' \(one of: object_0"),
         ({"robot": "no_such"}, "no such file, nor a robot that comes with graspless"),
         (
+            {"robot": ["wam_t42", "wam_t4"]},  # even where the first one has a plan
+            r"robot\[1\].urdf: wam_t4: no such file, .*did you mean 'wam_t42'\? \(one of: kr5",
+        ),
+        (
             {"strategies": ["throw"]},
             "strategies: throw: should be one of pinch, rim, slide, clasp, tumble, push",
         ),

@@ -33,6 +33,9 @@ def test_says_how_to_get_ros(what):
 def test_is_listed():
     assert re.search(r"^ +ros +run graspless in ROS 2", run("--help").stdout, re.MULTILINE)
     assert run("ros", "juggle").returncode == 2
+    done = run("ros")
+    assert done.returncode == 2
+    assert done.stderr == "ros: needs the name of what to run (one of: node, fake-robot, demo)\n"
 
 
 @pytest.mark.parametrize("package", ["graspless_msgs", "wheels/control_msgs", "wheels/tf2_msgs"])

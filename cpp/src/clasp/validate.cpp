@@ -15,15 +15,16 @@ void check_loops(const Problem& problem) {
   const auto count = static_cast<int>(problem.object.loops().found.size());
   std::set<int> given;
   for (std::size_t i = 0; i < problem.loops.size(); ++i) {
-    if (problem.loops[i] >= 0 && problem.loops[i] < count) {
-      if (given.insert(problem.loops[i]).second) continue;
-      throw std::invalid_argument("loops[" + std::to_string(i) + "] is " +
-                                  std::to_string(problem.loops[i]) +
-                                  " again; each loop may occur only once");
+    const int loop = problem.loops[i];
+    const std::string name = "loops[" + std::to_string(i) + "]: ";
+    if (loop < 0 || loop >= count) {
+      throw std::invalid_argument(name + "there is no loop " + std::to_string(loop) + "; object '" +
+                                  problem.object.name() + "' has " + std::to_string(count) +
+                                  (count == 1 ? " loop" : " loops") + ", counted from 0");
     }
-    throw std::invalid_argument(
-        "loops[" + std::to_string(i) + "] is " + std::to_string(problem.loops[i]) + "; object '" +
-        problem.object.name() + "' has " + std::to_string(count) + " loops, counted from 0");
+    if (given.insert(loop).second) continue;
+    throw std::invalid_argument(name + "loop " + std::to_string(loop) +
+                                " is given twice; each may occur only once");
   }
 }
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/pose.hpp"
 #include "graspless/robot/description.hpp"
 
+#include "geometry/read_text.hpp"
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 
@@ -40,14 +40,6 @@ void check_frame(int frame, const Robot::Model& model) {
   if (frame >= 0 && frame < static_cast<int>(model.links.size())) return;
   throw std::invalid_argument("frame must be in [0, " + std::to_string(model.links.size()) +
                               "), not " + std::to_string(frame));
-}
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::invalid_argument("cannot read '" + path + "'");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 void require_sound(const std::map<std::string, std::string>& faults, const std::string& name,
@@ -97,13 +89,14 @@ Robot Robot::from_urdf(const std::string& xml, const Options& options) {
 }
 
 Robot Robot::from_urdf_file(const std::string& path, Options options) {
-  const std::string xml = read_text(path);
+  const std::string xml = geometry::read_text(path);
   const std::string stem = path.substr(0, path.rfind(".urdf"));
   const std::size_t slash = path.rfind('/');
   if (options.directory.empty()) {
     options.directory = slash == std::string::npos ? "." : path.substr(0, slash + 1);
   }
-  if (options.srdf.empty() && exists(stem + ".srdf")) options.srdf = read_text(stem + ".srdf");
+  if (options.srdf.empty() && exists(stem + ".srdf"))
+    options.srdf = geometry::read_text(stem + ".srdf");
   try {
     options.packages = find_packages({xml, options.srdf, options.packages, options.directory});
     return from_urdf(xml, options);

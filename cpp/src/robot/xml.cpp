@@ -61,6 +61,8 @@ void require_shallow(const std::string& xml, const std::string& what) {
 void parse_xml(const std::string& xml, const std::string& what, TiXmlDocument& document) {
   require_shallow(xml, what);
   document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.ErrorId() == TiXmlBase::TIXML_ERROR_DOCUMENT_EMPTY)
+    throw std::invalid_argument(what + ": not XML: has no element");
   if (document.Error()) {
     throw std::invalid_argument(what + " line " + std::to_string(document.ErrorRow()) +
                                 ": not XML: " + document.ErrorDesc());

@@ -8,12 +8,15 @@ import itertools
 import os
 import time
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import planning
 from .._arguments import require_above_zero, require_integer, require_number
 from ..errors import TaskError
 from ..report import least_seconds
+from ..tasks.robot_files import find_urdf
+from ..tasks.source import Source
 from . import place as places
 from .moving import MOVING
 from .result import NOT_TRIED, REFUSED, STALE, Attempt, Pick
@@ -23,7 +26,6 @@ from .wish import read_scene, stale, wish_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from pathlib import Path
 
     from ..chain import Plan
     from ..perception import Scene
@@ -119,11 +121,13 @@ def pick(
             require_number(field, value)
     budget = planning.Budget(seconds=seconds, seed=seed)
     scene, file = read_scene(scene)
+    robots = labelled(robot)
+    _require_found(list(robots.values()))
     wishes = {
         label: wish_of(
             scene, file, name, one, lift=lift, respect=respect, mass=mass, grip_force=grip_force
         )
-        for label, one in labelled(robot).items()
+        for label, one in robots.items()
     }
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
     found = Pick(name, tries)
@@ -211,6 +215,17 @@ def labelled(robot: Any) -> dict[str, Any]:
             label = f"{name} ({count})"
         labels[label] = one
     return labels
+
+
+def _require_found(robots: list[Any]) -> None:
+    """Raises TaskError that names the robot whose file does not exist."""
+    given = [one if isinstance(one, Mapping) else {"urdf": str(one)} for one in robots]
+    source = Source("pick", {"robot": given if len(given) > 1 else given[0]})
+    for i, fields in enumerate(given):
+        place = ("robot", i) if len(given) > 1 else ("robot",)
+        for key in ("urdf", "arm"):
+            if isinstance(fields.get(key), str):
+                find_urdf(fields[key], key, (*place, key), source, Path.cwd())
 
 
 def _require_usable(found: Pick) -> None:

@@ -92,8 +92,9 @@ def as_text(loops: geometry.Loops) -> str:
         f"  uncertain: {loop.length:.3g} m long, as {loop.reason}" for loop in loops.uncertain
     ]
     if not loops.found:
-        reason = loops.reason.removeprefix("no reliable hole: ")
-        return "\n".join([f"no reliable hole: {reason}", *unclear, *betti_line(loops), *found])
+        return "\n".join(
+            [f"no reliable hole: {loops.reason}", *unclear, *betti_line(loops), *found]
+        )
     longest = f"longest edge of the complex {loops.complex.max_edge_length:.4g} m"
     lines = [f"{count(len(loops.found), 'loops')} found, {longest}"]
     for k, loop in enumerate(loops.found):

@@ -7,7 +7,10 @@ from __future__ import annotations
 import argparse
 
 from .._commands import FOUND, INTERRUPTED
+from ..errors import TaskError
 from . import require_ros
+
+WHAT = ("node", "fake-robot", "demo")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -17,7 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "check_plan; fake-robot: a simulated robot with the controllers of ros2_control; demo: "
         "both, and a pick from the image to the lift. See docs/howto/ros2.md."
     )
-    parser.add_argument("what", choices=["node", "fake-robot", "demo"])
+    parser.add_argument("what", choices=WHAT, nargs="?")
     parser.add_argument(
         "arguments",
         nargs=argparse.REMAINDER,
@@ -28,6 +31,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
+    if options.what is None:
+        raise TaskError(f"ros: needs the name of what to run (one of: {', '.join(WHAT)})")
     require_ros()
     if options.what == "demo":
         from .demo import demo

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Program of the servos for what follows a slide or a pinch: carries, and a slide after them."""
+"""Carries in the simulation of a chain: which chains are simulated, and the program of servos."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import timing
+from ..errors import TaskError
 from .settings import Slide
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, motions, rest, stretch
 
@@ -20,6 +21,31 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 OPEN, RETREAT = "open", "retreat"
+
+
+def require_simulated(task: Any) -> None:
+    """Raises TaskError unless all stages of a chain are simulated; see `chain`."""
+    stages = task.problem.stages
+    kinds = [stage.kind for stage in stages]
+    has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
+    first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
+    if others[-2:] == ["carry", "slide"]:  # from where it was put down
+        others.pop()
+    drags = next((s for s in stages if s.kind == "carry" and s.fields.rests_on), None)
+    if first == "clasp" and drags is not None:
+        raise TaskError(
+            f"stage '{drags.name}' drags the object over {', '.join(drags.fields.rests_on)}, but a "
+            "clasped object is simulated only while it is lifted; to simulate the clasp alone, "
+            "plan it as a task of its own"
+        )
+    is_known = first in ("slide", "pinch") or (first == "clasp" and others and not has_arm)
+    if not is_known or set(others) - {"carry"}:
+        raise TaskError(
+            f"a chain of {', '.join(kinds)} is not simulated (a slide, a pinch or a clasp and the "
+            "carries that lift it are, also with a slide from where it was put down; the first two "
+            "also after one motion by the fingertips of an arm): plan its stages as tasks of their "
+            "own, and simulate those plans"
+        )
 
 
 def with_carries(

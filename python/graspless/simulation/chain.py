@@ -24,7 +24,7 @@ from .. import timing
 from ..errors import TaskError
 from ..tasks import scenes
 from . import moved, pinch
-from .carries import OPEN, RETREAT, with_carries
+from .carries import OPEN, RETREAT, require_simulated, with_carries
 from .clasp import carried
 from .results import Trial
 from .settings import SLIDE_SPREAD, Slide
@@ -134,25 +134,6 @@ def start(plan: Plan, variation: Variation) -> Running:
     if len(plan.stages) == 1:
         return running(Execution(first, variation, Slide()))
     return running(_Carried(plan.stages, variation, Slide()))
-
-
-def require_simulated(task: Any) -> None:
-    """Raises TaskError unless all stages of a chain are simulated; see above."""
-    kinds = [stage.kind for stage in task.problem.stages]
-    has_arm = kinds[0] == "fingertip" and task.problem.first.arm is not None
-    first, *others = kinds[1:] if has_arm and len(kinds) > 1 else kinds
-    if others[-2:] == ["carry", "slide"]:  # from where it was put down
-        others.pop()
-    drags = any(stage.kind == "carry" and stage.fields.rests_on for stage in task.problem.stages)
-    is_lifted = first == "clasp" and others and not has_arm and not drags
-    is_known = first in ("slide", "pinch") or is_lifted
-    if not is_known or set(others) - {"carry"}:
-        raise TaskError(
-            f"a chain of {', '.join(kinds)} is not simulated (a slide, a pinch or a clasp and the "
-            "carries that lift it are, also with a slide from where it was put down; the first two "
-            "also after one motion by the fingertips of an arm): plan its stages as tasks of their "
-            "own, and simulate those plans"
-        )
 
 
 def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:

@@ -66,7 +66,7 @@ def task_kind(source: Source) -> TaskKind:
     name = source.data.get("kind") if isinstance(source.data, dict) else None
     choices = " or ".join(f"'{kind}'" for kind in KINDS)
     if name is None:
-        raise source.error(("kind",), f"missing; should be {choices}")
+        raise TaskError(f"{source.where(('kind',))}missing; should be {choices}")
     if name == "pick":
         raise source.error(("kind",), "is planned by `graspless pick`, with this file")
     if name not in KINDS:

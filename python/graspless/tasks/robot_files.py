@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import difflib
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -79,7 +80,7 @@ def _read(
     given: Robot | Gripper, field: str, place: Location, source: Source, directory: Path
 ) -> tuple[robots.Description, Path]:
     """Returns the texts of a robot, and the path of its URDF."""
-    known = _find_urdf(getattr(given, field), field, place, source, directory)
+    known = find_urdf(getattr(given, field), field, place, source, directory)
     packages = known.packages | _find_packages(given, place[:-1], source, directory)
     meshes = _find_folder(given, place[:-1], source, directory) or known.directory
     arguments = known.xacro_args | given.xacro_args
@@ -100,9 +101,11 @@ def _read(
     return description, known.urdf
 
 
-def _find_urdf(
-    name: str, field: str, place: Location, source: Source, directory: Path
-) -> Described:
+def find_urdf(name: str, field: str, place: Location, source: Source, directory: Path) -> Described:
+    """Returns the files of the robot in a field of a task: urdf, arm, file or name.
+
+    Raises TaskError that names the place if there is no such robot.
+    """
     path = directory / name
     if field != "name" and path.is_file():
         return Described(path, path.parent)
@@ -114,8 +117,10 @@ def _find_urdf(
             return described(name)
     if path.is_dir():
         raise source.error(place, absence(path))
-    names = ", ".join(_data.robots())
-    what = f"no such file, nor a robot that comes with graspless (one of: {names})"
+    names = _data.robots()
+    close = difflib.get_close_matches(name, names, 1)
+    hint = f"; did you mean '{close[0]}'?" if close else ""
+    what = f"no such file, nor a robot that comes with graspless{hint} (one of: {', '.join(names)})"
     raise source.error(place, what)
 
 

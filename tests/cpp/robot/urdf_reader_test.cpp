@@ -40,12 +40,16 @@ std::string with_shape(const std::string& geometry) {
 }
 
 TEST(UrdfReader, RefusesWhatIsNoUrdf) {
-  EXPECT_CONTAINS(complaint([] { Robot::from_urdf("", {}); }), "not XML");
+  EXPECT_EQ(complaint([] { Robot::from_urdf("", {}); }), "URDF: not XML: has no element");
+  EXPECT_EQ(complaint([] { Robot::from_urdf("robot", {}); }), "URDF: not XML: has no element");
   EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<robot name='r'>\n<link", {}); }), "line 2");
   EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<model/>", {}); }), "no <robot>");
   EXPECT_CONTAINS(complaint([] { Robot::from_urdf("<robot><link name='a'/></robot>", {}); }),
                   "name");
-  EXPECT_CONTAINS(complaint([] { Robot::from_urdf_file("/no/such.urdf"); }), "/no/such.urdf");
+  EXPECT_EQ(complaint([] { Robot::from_urdf_file("/no/such.urdf"); }),
+            "/no/such.urdf: cannot be read: No such file or directory");
+  EXPECT_EQ(complaint([] { Robot::from_urdf_file(data_file()); }),
+            data_file() + ": cannot be read: is a folder, not a file");
   EXPECT_CONTAINS(refused(""), "no links");
   EXPECT_CONTAINS(refused("<link/>"), "no attribute 'name'");
 }

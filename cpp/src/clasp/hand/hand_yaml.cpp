@@ -3,14 +3,14 @@
 //
 // Reads the description of a hand from YAML. validate() checks it against the robot.
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include <yaml-cpp/yaml.h>
 
 #include "graspless/clasp/hand.hpp"
+
+#include "geometry/read_text.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -174,12 +174,7 @@ Hand hand_from_yaml(const std::string& text, const std::string& what) {
 }
 
 Hand hand_from_yaml_file(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw std::invalid_argument("hand file '" + path + "' cannot be read");
-  }
-  return hand_from_yaml(text.str(), path);
+  return hand_from_yaml(geometry::read_text(path), path);
 }
 
 }  // namespace graspless::clasp

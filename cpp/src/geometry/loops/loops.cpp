@@ -57,11 +57,17 @@ std::vector<int> all_columns(const Eigen::Matrix3Xd& points) {
   return all;
 }
 
-Filtration filtration_of(const Eigen::Matrix3Xd& points) {
-  const Filtration filtration(points, "points");
-  if (filtration.num_vertices() >= kMinVertices) return filtration;
+void require_enough(Eigen::Index count) {
+  if (count >= kMinVertices) return;
   throw std::invalid_argument("points must hold at least " + std::to_string(kMinVertices) +
-                              " distinct points, not " + std::to_string(filtration.num_vertices()));
+                              " distinct points, not " + std::to_string(count));
+}
+
+Filtration filtration_of(const Eigen::Matrix3Xd& points) {
+  require_enough(points.cols());  // before the complex asks for the few that it needs
+  Filtration filtration(points, "points");
+  require_enough(filtration.num_vertices());
+  return filtration;
 }
 
 /// Least ratio of a plateau that is clear of other classes, and largest d relative to the death of

@@ -121,15 +121,14 @@ void report(const Filtration& filtration, const LoopOptions& options, Loops& res
         result.uncertain.begin(), result.uncertain.end(),
         [](const Loop& a, const Loop& b) { return a.seen_through < b.seen_through; });
     result.reason =
-        "no reliable hole: " + unclear +
-        (seen->seen_through > 0 ? "; the one seen through most: " : "; the shortest: ") +
+        unclear + (seen->seen_through > 0 ? "; the one seen through most: " : "; the shortest: ") +
         seen->reason;
   } else if (!result.meridians.empty()) {
     result.reason = "every loop runs around a thick handle instead of along it";
   } else if (d_is_given) {
     result.reason = why_no_loop(filtration, options.max_edge_length, result.noise);
   } else {
-    result.reason = "no reliable hole: every loop is a gap between points";
+    result.reason = "every loop is a gap between points";
   }
   if (result.status == LoopStatus::found && !result.meridians.empty()) {
     result.reason +=

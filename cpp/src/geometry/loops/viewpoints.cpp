@@ -82,8 +82,8 @@ std::vector<RayImage> rays_from_viewpoints(const Eigen::Matrix3Xd& points,
   require_points(points, "points");
   require_points(viewpoints, "viewpoints");
   if (points.cols() < kFewestPoints) {
-    throw std::invalid_argument("points must be at least " + std::to_string(kFewestPoints) +
-                                ", not " + std::to_string(points.cols()));
+    throw std::invalid_argument("points must hold at least " + std::to_string(kFewestPoints) +
+                                " points, not " + std::to_string(points.cols()));
   }
   const Eigen::Vector3d middle = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
   std::vector<RayImage> result;

@@ -18,9 +18,11 @@ from ..clasp.model import Object as ClaspObject
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, Point3, Pose, Positive, Shape, Size3
+from ..shapes import Fields, Point3, Pose, Shape, Size3
 from ..slide.model import Object as SlideObject
 from ..slide.model import Support
+
+LONGEST = 1e4  # path [m], as far as poses may be from the origin
 
 
 def _posed(value: Any) -> Any:
@@ -51,7 +53,9 @@ class Line(Fields):
     """A straight way."""
 
     direction: Point3 = Field(description="direction in the world, of any length but 0")
-    distance: Positive = Field(description="length of the path [m]")
+    distance: Annotated[float, Field(gt=0, le=LONGEST)] = Field(
+        description=f"length of the path, at most {LONGEST:g} [m]"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> Line:

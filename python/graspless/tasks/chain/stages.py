@@ -12,6 +12,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ...errors import TaskError
 from ...kinds import KINDS, part
 from ..reading import read_yaml
 from ..source import Source
@@ -40,6 +41,7 @@ def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage
         Folder to which its paths are relative.
     """
     named = [_merged(source, i, directory) for i in range(len(chain.stages))]
+    _require_names(named, source)
     require_held([(stage.name, _kind(stage), stage) for stage in named])
     kinds = {_kind(stage) for stage in named} - {"carry"}  # it takes what the stage before it has
     taken = {key for kind in kinds for key in part("tasks", kind).Fields.model_fields}
@@ -102,11 +104,19 @@ def _kind(stage: StageSource) -> str:
     name = stage.data.get("kind")
     choices = " or ".join(f"'{kind}'" for kind in STAGES)
     if name is None:
-        raise stage.error(("kind",), f"missing; should be {choices}")
+        raise TaskError(f"{stage.where(('kind',))}missing; should be {choices}")
     if name not in STAGES:
         nested = " (a chain holds no chain)" if name == "chain" else ""
         raise stage.error(("kind",), f"should be {choices}{nested}")
     return str(name)
+
+
+def _require_names(stages: list[StageSource], source: Source) -> None:
+    """Raises TaskError if a stage is given the name of another one."""
+    names = [stage.name for stage in stages]
+    for i, name in enumerate(names):
+        if "name" in source.data["stages"][i] and names.count(name) > 1:
+            raise source.error(("stages", i, "name"), "another stage has this name")
 
 
 def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:

@@ -252,8 +252,9 @@ TEST(ClaspValidate, NamesFieldAndChoices) {
       validate(problem);
     };
   };
-  expect_refused(with([](Problem& p) { p.loops = {3}; }), "loops[0] is 3; object 'ring' has 1");
-  expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops[1] is 0 again");
+  expect_refused(with([](Problem& p) { p.loops = {3}; }),
+                 "loops[0]: there is no loop 3; object 'ring' has 1 loop,");
+  expect_refused(with([](Problem& p) { p.loops = {0, 0}; }), "loops[1]: loop 0 is given twice");
   expect_refused(with([](Problem& p) { p.marks = {{0, 0, 1e9}}; }), "marks[0] must be finite");
   for (const double length : {0.0, 1e-9, 1e5, std::nan("")}) {
     expect_refused(with([&](Problem& p) { p.pull_W = length * Eigen::Vector3d::UnitX(); }),

@@ -234,7 +234,8 @@ TEST(Viewpoints, RefuseBadInput) {
   const Eigen::Matrix3Xd points = look(frame(), {kFront}).points;
   const Eigen::Vector3d inside(0.0, 0.0, 0.0);
   expect_refused([&] { rays_from_viewpoints(points, inside); }, "viewpoints[0] is among");
-  expect_refused([&] { rays_from_viewpoints(points.leftCols(10), kFront); }, "at least 20, not 10");
+  expect_refused([&] { rays_from_viewpoints(points.leftCols(10), kFront); },
+                 "points must hold at least 20 points, not 10");
   expect_refused([&] { rays_from_viewpoints(points, Eigen::Vector3d(NAN, 0, 0)); }, "viewpoints");
   EXPECT_TRUE(rays_from_viewpoints(points, Eigen::Matrix3Xd(3, 0)).empty());
 }
