@@ -119,9 +119,15 @@ def _scripted(name: str) -> Image.Image:
 
 
 def _many(name: str) -> Image.Image:
-    """Cards of a batch where they start, with the ways of the fingertip."""
+    """Cards of a batch where they start, with the ways of the fingertip, and a legend."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    from graspless.view.bodies import OBJECT
+    from graspless.view.figures import as_png, draw_panel, new_figure
     from graspless.view.slide import bodies
     from graspless.view.slide.film import film
+    from graspless.view.slide.picture import OUTLINE, TRAIL
 
     with tempfile.TemporaryDirectory() as folder:
         given, sys.argv = sys.argv, [name, folder, "8"]
@@ -136,14 +142,22 @@ def _many(name: str) -> Image.Image:
     table, X_WS = plans[0].task, np.asarray(plans[0].task.problem.support.X_WS)
     placed = [(bodies.table_body(table), X_WS)]
     for k, plan in enumerate(plans):  # each on those before it, where they would overlap
-        X_WO = frames.translation([0, 0, 0.002 * k]) @ np.asarray(plan.task.problem.X_WO_start)
+        X_WW = frames.translation([0, 0, 0.002 * k])
+        X_WO = X_WW @ np.asarray(plan.task.problem.X_WO_start)
         placed.append((bodies.object_body(plan.task), X_WO))
-        placed.append((bodies.trail_body(film(plan)), np.eye(4)))
+        placed.append((bodies.trail_body(film(plan)), X_WW))
     corners = placed[0][0].parts[0].vertices @ X_WS[:3, :3].T + X_WS[:3, 3]
     middle = corners.mean(axis=0)
     shape = (WIDTH, 560)
     camera = Camera(middle + [1.0, -1.6, 1.8], middle).fitted(corners, *shape)
-    return to_image(raster.render(placed, camera, *shape))
+    figure = new_figure(9.6, 6.0, dpi=100)
+    draw_panel(figure.add_axes((0, 0.07, 1, 0.93)), raster.render(placed, camera, *shape), "")
+    handles = {
+        "a card of each task where it starts": Patch(fc=OBJECT, ec=OUTLINE),
+        "path of the fingertip on it, to the edge": Line2D([], [], color=TRAIL, lw=2.4),
+    }
+    figure.legend(list(handles.values()), list(handles), loc="lower center", ncols=2, frameon=False)
+    return Image.open(io.BytesIO(as_png(figure))).convert("RGB")
 
 
 def _drawn(write: Callable[[pathlib.Path], None]) -> Image.Image:
@@ -151,12 +165,6 @@ def _drawn(write: Callable[[pathlib.Path], None]) -> Image.Image:
         path = pathlib.Path(folder, "a.png")
         write(path)
         return Image.open(io.BytesIO(path.read_bytes())).convert("RGB")
-
-
-def to_image(rgba: Any) -> Image.Image:
-    """A rendered picture on white."""
-    rgb = rgba[..., :3] * rgba[..., 3:] + 1 - rgba[..., 3:]
-    return Image.fromarray(np.round(255 * rgb).astype(np.uint8))
 
 
 def shrunk(drawn: Image.Image, text: str) -> bytes:

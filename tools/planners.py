@@ -64,6 +64,7 @@ def fingertip() -> Iterator[Any]:
     task = plan.task
     points = swept(task, moments)
     floor, thing = bodies.floor_body(task, points), bodies.object_body(task)
+    walls = [(wall, np.eye(4)) for wall in bodies.wall_bodies(task, points)]
     radius = task.problem.fingers.radius
     tips = {mode: bodies.fingertip_body(radius, color) for mode, color in bodies.MODES.items()}
     largest = max(float(np.linalg.norm(m.forces, axis=1).max()) for m in moments)
@@ -78,7 +79,8 @@ def fingertip() -> Iterator[Any]:
         ]
         front = [*fingers, *bodies.arrows(task, moment, largest)]
         scene = [(floor, np.eye(4)), (thing, moment.X_WO), *front]
-        picture = raster.render(scene, view, *SHAPE)
+        plain, walled = (raster.render([*scene, *more], view, *SHAPE) for more in ([], walls))
+        picture = 0.5 * (plain + walled)  # the walls are transparent
         yield raster.over(raster.render(front, view, *SHAPE), picture, 0.3)
 
 

@@ -8,6 +8,7 @@ import warnings
 import numpy as np
 import pytest
 import yaml
+from PIL import Image
 
 import inspect_common as small
 from graspless import cli, geometry, load_task, plan, robot, scene
@@ -437,7 +438,11 @@ def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
     said = capsys.readouterr().out
     assert "fingertip" in said
     assert "written: made/mine.srdf" in said
-    assert (tmp_path / "made" / "mine.png").read_bytes().startswith(b"\x89PNG")
+    with Image.open(tmp_path / "made" / "mine.png") as picture:
+        rows = np.asarray(picture.convert("RGB"))[100:].astype(int)  # below titles and captions
+    blue = rows[..., 2] - rows[..., :2].max(axis=-1) > 60
+    assert blue.any()
+    assert not blue[:12].any()  # no axis is cut off at the top
     (tmp_path / "made" / "card.yaml").write_text(CARD.replace("ROBOT", "mine.urdf"))
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -14,18 +14,23 @@ import pytest
 import graspless
 from browser_common import served
 from graspless import Task, TaskError, cli, frames, slide
+from graspless._data import directory
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
 
+from matplotlib.path import Path  # noqa: E402
+
 from graspless import view  # noqa: E402
 from graspless.view import bodies, raster, visuals  # noqa: E402
 from graspless.view.film import spread, timed  # noqa: E402
 from graspless.view.slide import bodies as slide_bodies  # noqa: E402
+from graspless.view.slide import picture as pictures  # noqa: E402
 from graspless.view.slide import stage  # noqa: E402
 from graspless.view.slide.film import film  # noqa: E402
 
+EXAMPLES = directory("examples")
 OBSTACLES = """obstacles:
   - {name: mug, cylinder: {radius: 0.04, length: 0.1}, pose: {position: [0.85, 0.2, 0.05]}}
   - {name: a/b, box: [0.1, 0.1, 0.1], pose: {position: [0.85, -0.2, 0.05]}}
@@ -67,6 +72,15 @@ def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
     view.write_png(failed, tmp_path / "a.png")
     view.write_html(failed, tmp_path / "a.html")
     assert len(pixels(read_png(tmp_path / "a.png"), bodies.OBJECT)) > 300
+
+
+def test_overhang_is_written_beside_the_lines_of_the_table():
+    found = graspless.plan(EXAMPLES / "03_tilted_l_table.yaml")
+    axes = pictures.draw(found).axes[0]
+    (text,) = (text for text in axes.texts if text.get_text().startswith("overhang"))
+    table = Path(np.asarray(found.task.problem.support.polygon.vertices), closed=True)
+    drawn = axes.transData.transform_path(table)
+    assert not drawn.intersects_bbox(text.get_window_extent(), filled=False)
 
 
 def test_replay_is_small_and_whole(html):

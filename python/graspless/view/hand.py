@@ -83,7 +83,8 @@ class _Hand:
         size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
         wanted += [(axes_body(AXIS * size), X_WL[names.index(name)]) for name in self.frames]
         X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)
-        return raster.render(wanted, _camera(points, X_WH, state == "home"), *PANEL)
+        camera = _camera(vertices_of(wanted), X_WH, state == "home")
+        return raster.render(wanted, camera, *PANEL)
 
 
 def axes_body(length: float, name: str = "axes") -> Body:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
 from .figures import INK, as_png, new_figure
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from ..perception import Object, Scene, Support
 
 EDGES = {"real": "#1a7f37", "image_border": "#b58900", "occluded": "#b3261e"}
+HALO = withStroke(linewidth=3, foreground="white")  # where a text crosses a line
 TOP, THING, CUT, HIDDEN = "#efe9df", "#3b6ea5", "#d08770", "#5a5a5a"
 
 
@@ -70,13 +72,12 @@ def _draw_object(axes: Any, thing: Object) -> None:
     color = CUT if thing.touches_border else THING
     axes.fill(*ring.T, facecolor=color, edgecolor=INK, lw=0.8, alpha=0.85)
     error = 1000 * thing.thickness_error
-    text = f"{thing.name}: {1000 * thing.thickness:.1f} ± {error:.1f} mm"
-    if thing.warnings:
-        text += " (!)"
+    name = f"{thing.name} (!)" if thing.warnings else thing.name
+    text = f"{name}\n{1000 * thing.thickness:.1f} ± {error:.1f} mm"  # narrow: others may be near
     middle = (ring[:, 0].min() + ring[:, 0].max()) / 2
     axes.annotate(
         text, (middle, ring[:, 1].max()), xytext=(0, 4), textcoords="offset points",
-        ha="center", fontsize=9, color=INK,
+        ha="center", fontsize=8.5, color=INK, zorder=9, path_effects=[HALO],
     )  # fmt: skip
 
 

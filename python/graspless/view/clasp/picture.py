@@ -138,10 +138,11 @@ def _draw_linking(axes: Any, plan: Plan, shown: Film) -> None:
     rows = np.arange(len(found))
     first = len(plan.segments[0])
     axes.axvspan(first - 0.5, len(found) - 1, color="#f1e8da", lw=0, zorder=0)
-    blues = [(0.12, 0.40, 0.85), (0.45, 0.25, 0.75), (0.10, 0.60, 0.65), (0.35, 0.45, 0.55)]
+    # Unlike those of loops, curves and chords beside it.
+    colors = [(0.15, 0.17, 0.20), (0.80, 0.47, 0.05), (0.45, 0.52, 0.10), (0.45, 0.27, 0.15)]
     for k in range(found.shape[1]):
         name = fingers[k].replace("_", " ")
-        axes.plot(rows, found[:, k], lw=1.9, color=blues[k % len(blues)], label=name)
+        axes.plot(rows, found[:, k], lw=1.9, color=colors[k % len(colors)], label=name)
     axes.axhline(plan.min_linking, color="#b3261e", lw=1.1, ls=(0, (6, 3)), label="least allowed")
     late = first > 0.85 * len(found)
     axes.text(

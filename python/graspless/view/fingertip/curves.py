@@ -26,16 +26,18 @@ def draw(axes: Any, plan: Plan) -> None:
     """Draws z and the compliant index of every row, the limit, the regrasps and the modes."""
     each, unit = measure(plan.segments)
     along = [each * rows for rows in progress(plan.segments)]
+    count = plan.task.options.cone_edges
+    edges = "six" if count == 6 else count
     moving = [k for k, s in enumerate(plan.segments) if s.name != "regrasp" and len(s)]
     for n, k in enumerate(moving):
         segment, label = plan.segments[k], n == 0
         axes.plot(
             along[k], segment.stability, "o-", ms=3.2, lw=1.8, color=STABLE,
-            label="stability z: disturbance withstood at best" if label else None,
+            label=f"stability z: best forces, friction cones of {edges} edges" if label else None,
         )  # fmt: skip
         axes.plot(
             along[k], segment.compliant_stability, "s--", ms=2.6, lw=1.3, color=COMPLIANT,
-            label="compliant index: with contacts as springs" if label else None,
+            label="compliant index: contacts as springs, round cones" if label else None,
         )  # fmt: skip
     limit = plan.task.options.min_stability
     axes.axhline(
@@ -43,7 +45,8 @@ def draw(axes: Any, plan: Plan) -> None:
     )
     last = _end(plan) * each
     axes.set_xlim(0, max(last, 1e-9))
-    top = max([limit, *(float(plan.segments[k].stability.max()) for k in moving)])
+    shown = [(s.stability, s.compliant_stability) for s in (plan.segments[k] for k in moving)]
+    top = max([limit, *(float(np.max(curves)) for curves in shown)])
     axes.set_ylim(0, HEADROOM * top)
     _draw_modes(axes, plan, along, HEADROOM * top)
     _draw_regrasps(axes, plan, along, 1.2 * top)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.path import Path
 
 from .. import raster
 from ..bodies import OBJECT, obstacles
@@ -128,13 +129,13 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     axes.plot(*com[-1], "o", ms=9, mfc="w", mec=INK, zorder=7)
     axes.plot(*com[-1], "+", ms=9, color=INK, zorder=8)
     _draw_trail(axes, shown, X_SW)
-    if shown.plan and not is_left:
-        _draw_overhang(axes, shown, outline, poses[-1])
     base = X_SW @ np.append(shown.link_poses[0, 0, :3, 3], 1)
     axes.plot(*base[:2], "s", ms=11, color="#9aa0a6", mec=INK, zorder=3)
     ends = outline @ poses[-1][:2, :2].T + poses[-1][:2, 3]
     _frame(axes, np.vstack([table, base[None, :2], ends]))
     _name_obstacles(axes, rings)
+    if shown.plan and not is_left:
+        _draw_overhang(axes, shown, outline, poses[-1])
 
 
 def _name_obstacles(axes: Any, rings: dict[str, Matrix]) -> None:
@@ -199,13 +200,24 @@ def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> Non
     arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": EDGE, "lw": 1.2}
     arrow |= {"shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
     axes.annotate("", tip, foot, arrowprops=arrow, zorder=11)
-    # Beyond the tip, whichever direction that is on the page.
+    text = axes.annotate(
+        f"overhang {shown.plan.overhang * 100:.1f} cm", tip, -6 * inward, fontsize=9,
+        textcoords="offset points", color=EDGE, zorder=11,
+    )  # fmt: skip
+    table = axes.transData.transform_path(Path(np.asarray(polygon.vertices), closed=True))
+    for side, rise in _sides(inward):
+        text.set(ha=side, va=rise)
+        if not table.intersects_bbox(text.get_window_extent(), filled=False):
+            break
+
+
+def _sides(inward: Matrix) -> list[tuple[str, str]]:
+    """Returns alignments of a text beyond an edge, whichever direction that is on the page."""
     side = {-1: "left", 0: "center", 1: "right"}[round(float(inward[0]))]
     rise = {-1: "bottom", 0: "center", 1: "top"}[round(float(inward[1]))]
-    axes.annotate(
-        f"overhang {shown.plan.overhang * 100:.1f} cm", tip, -6 * inward, fontsize=9,
-        textcoords="offset points", color=EDGE, ha=side, va=rise, zorder=11,
-    )  # fmt: skip
+    if side == "center":
+        return [(other, rise) for other in ("center", "right", "left")]
+    return [(side, other) for other in (rise, "bottom", "top")]
 
 
 def _along(shown: Film) -> list[Matrix]:
