@@ -129,6 +129,29 @@ def test_a_plain_cloud_and_its_viewpoint_give_the_scene():
         perception.view_of_cloud(np.full((200, 3), np.nan), [0, 0, 1])
 
 
+@pytest.mark.parametrize(
+    ("factor", "eye", "words"),
+    [
+        (1, [0, 0, 0], r"viewpoint .* is among the points"),
+        (1, [0, 0, 4e4], r"viewpoint .* is 4e\+04 m from .* only 0.0029 x 0.0029 degrees .*metres"),
+        (
+            1e-4,
+            [0, 0, 2],
+            r"viewpoint .* is 2 m from .* only 0.0058 x 0.0058 degrees .* less than 5",
+        ),
+        (0, [0, 0, 2], r"viewpoint .* is 2 m from .* only 0 x 0 degrees"),
+        (1, [1e300, 0, 0], r"viewpoint has the coordinate 1e\+300; at most 1e\+09 m"),
+        (1e12, [0, 0, 2], r"points has the coordinate 1e\+12; at most 1e\+09 m"),
+    ],
+)
+def test_clouds_that_hardly_fill_the_view_of_their_viewpoint(factor, eye, words):
+    cloud = factor * np.vstack(
+        [np.random.default_rng(1).uniform(-1, 1, (200, 3)), np.eye(3), -np.eye(3)]
+    )
+    with pytest.raises(ValueError, match=words):
+        perception.view_of_cloud(cloud, eye)
+
+
 def test_a_scene_file_gives_the_scene_again(scene, tmp_path):
     path = tmp_path / "scene.yaml"
     perception.save_scene(scene, path)

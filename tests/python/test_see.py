@@ -193,7 +193,10 @@ def test_bad_files_are_refused(folder, capsys):
     np.savez(folder / "a.npz", depth=np.ones((480, 640)), K=np.eye(3))
     assert "a.npz: must have the arrays X_WC" in refused(folder / "a.npz")
     np.savez(folder / "b.npz", K=np.eye(3), X_WC=np.eye(4))
-    assert "exactly one of depth and frames" in refused(folder / "b.npz")
+    assert "b.npz: must have the arrays depth (or frames)" in refused(folder / "b.npz")
+    both = {"depth": np.ones((480, 640)), "frames": np.ones((1, 480, 640))}
+    np.savez(folder / "e.npz", K=np.eye(3), X_WC=np.eye(4), **both)
+    assert "e.npz: has both depth and frames; it must have one" in refused(folder / "e.npz")
     np.savez(folder / "c.npz", depth=np.array([{}]), K=np.eye(3), X_WC=np.eye(4))
     assert "c.npz: cannot be read as arrays" in refused(folder / "c.npz")
     np.savez(folder / "d.npz", depth=np.ones((480, 640)), K=np.eye(3), X_WC=np.eye(4))
@@ -204,5 +207,13 @@ def test_bad_files_are_refused(folder, capsys):
     assert said.startswith("--viewpoint: 0 0 1: only for clouds (.ply, .pcd, .xyz); the array X_WC")
     (folder / "cloud.xyz").write_text("0 0 1\n")
     assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
+    assert "VIEWPOINT" not in refused(folder / "cloud.xyz")
+    header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n"
+    for stated, words in (("0 0 0", ""), ("0.1 0 1.5", "VIEWPOINT in the file is 0.1 0 1.5")):
+        text = f"{header}VIEWPOINT {stated} 1 0 0 0\nPOINTS 1\nDATA ascii\n0 0 1\n"
+        (folder / "cloud.pcd").write_text(text)
+        message = refused(folder / "cloud.pcd")
+        assert ("VIEWPOINT" in message) == bool(words)
+        assert words in message
     assert main(["see", str(folder / "a.npz"), "-o", str(folder / "x.json")]) == 2
     assert "choices: .yaml, .yml" in capsys.readouterr().err

@@ -320,6 +320,62 @@ def test_reads_every_kind_of_cloud(tmp_path, name):
     np.testing.assert_allclose(read_cloud(tmp_path / name), points, atol=1e-7)
 
 
+@pytest.mark.parametrize("name", CLOUDS)
+def test_points_that_are_not_finite_are_left_out(tmp_path, name):
+    """Organised clouds of depth cameras have NaN where a pixel measured nothing."""
+    CLOUDS[name](tmp_path / name, np.where(np.eye(144, 3) > 0, np.nan, grid()))
+    with pytest.warns(UserWarning, match=f"{name}: 3 of 144 points are not finite"):
+        points = read_cloud(tmp_path / name)
+    np.testing.assert_allclose(points, grid()[3:], atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        ("ascii.ply", r"its header states 144 rows \(144 vertex\), but {rows} follow"),
+        ("ascii.pcd", "POINTS is 144, but {rows} rows follow"),
+    ],
+)
+@pytest.mark.parametrize("rows", [100, 143, 145])
+def test_ascii_clouds_have_as_many_rows_as_they_state(tmp_path, name, what, rows):
+    CLOUDS[name](tmp_path / name, grid())
+    lines = (tmp_path / name).read_text().splitlines()
+    lines = lines[:-144] + (lines[-144:] * 2)[:rows]
+    (tmp_path / name).write_text("\n".join(lines))
+    with pytest.raises(ValueError, match=what.format(rows=rows)):
+        read_cloud(tmp_path / name)
+
+
+def test_binary_ply_of_another_length(tmp_path):
+    CLOUDS["binary.ply"](tmp_path / "a.ply", grid())
+    (tmp_path / "a.ply").write_bytes((tmp_path / "a.ply").read_bytes()[:-1])
+    with pytest.raises(
+        ValueError, match=r"the \d+ bytes after its header are not .* \(144 vertex\)"
+    ):
+        read_cloud(tmp_path / "a.ply")
+
+
+@pytest.mark.parametrize(
+    "line", ["1,2,3", "1, 2, 3", "1 ,2 ,3,", "1\t2 3", "1,2,3,4,5,6 # colours"]
+)
+def test_numbers_of_xyz_are_separated_by_spaces_or_commas(write, tmp_path, line):
+    write(f"{line}\n", "a.xyz")
+    np.testing.assert_array_equal(read_cloud(tmp_path / "a.xyz"), [[1, 2, 3]])
+
+
+@pytest.mark.parametrize("line", ["0,587 0,123 -0,02", "0,5, 0,1, 2,0", "1,2,3 255 0 0"])
+def test_decimal_commas_are_refused(write, tmp_path, line):
+    write(f"# x y z\n{line}\n", "a.xyz")
+    with pytest.raises(ValueError, match=f"line 2 separates .* decimals have a point: {line}"):
+        read_cloud(tmp_path / "a.xyz")
+
+
+def test_xyz_without_a_coordinate_between_commas(write, tmp_path):
+    write("1,,3,4\n", "a.xyz")
+    with pytest.raises(ValueError, match="line 1 must have three numbers"):
+        read_cloud(tmp_path / "a.xyz")
+
+
 def test_ply_with_faces_gives_its_vertices(tmp_path):
     import trimesh
 
@@ -362,7 +418,7 @@ def test_cloud_in_the_world_takes_no_pose(write, tmp_path):
 @pytest.mark.parametrize(
     ("points", "what"),
     [
-        (np.where(np.eye(144, 3) > 0, np.nan, grid()), "3 of 144 points are not finite"),
+        (np.full((144, 3), np.nan), "144 of 144 points are not finite"),
         (np.empty((0, 3)), "is empty"),
         (np.random.default_rng(1).uniform(-0.05, 0.05, (300, 3)), "thin"),
         (grid()[:2], "at least 3"),

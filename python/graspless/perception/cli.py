@@ -130,13 +130,16 @@ def read_view(path: Path, viewpoint: list[float] | None) -> View:
     try:
         if suffix == ".npz":
             return _view_of_arrays(path)
+        from ..tasks.clouds import read_cloud, stated_viewpoint
+
         if viewpoint is None:
+            stated = stated_viewpoint(path)
+            shown = "" if stated is None else " ".join(f"{value:g}" for value in stated)
+            hint = f"; VIEWPOINT in the file is {shown}, if that is in the points' frame"
             raise ValueError(
                 "a cloud needs --viewpoint X Y Z, the position of the camera: without it nobody "
-                "knows what the points hide"
+                f"knows what the points hide{hint if shown else ''}"
             )
-        from ..tasks.clouds import read_cloud
-
         return view_of_cloud(read_cloud(path), viewpoint)
     except ValueError as error:
         raise TaskError(f"{path}: {error}") from None
@@ -152,8 +155,10 @@ def _view_of_arrays(path: Path) -> View:
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
     missing = [name for name in ("K", "X_WC") if name not in found]
-    if ("depth" in found) == ("frames" in found):
-        missing.insert(0, "exactly one of depth and frames")
+    if "depth" in found and "frames" in found:
+        raise ValueError("has both depth and frames; it must have one of them")
+    if "depth" not in found and "frames" not in found:
+        missing.insert(0, "depth (or frames)")
     if missing:
         raise ValueError(f"must have the arrays {', '.join(missing)}")
     for name, array in found.items():

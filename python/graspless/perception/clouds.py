@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 _WIDEST = math.radians(120)  # field of view of the image of a cloud
+_NARROWEST = math.radians(5)  # of any image: see View
 _MOST, _FEWEST = 640, 64  # pixels along its side
+_FARTHEST = 1e9  # coordinates [m]
 
 
 def average(depths: Sequence[ArrayLike]) -> Matrix:
@@ -116,7 +118,8 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
     Raises
     ------
     ValueError
-        There are fewer than 100 points, one is not finite, or they surround the viewpoint.
+        There are fewer than 100 points, one is not finite, or they surround the viewpoint or fill
+        hardly any of its view.
     """
     cloud, eye = np.asarray(points, dtype=float), np.asarray(viewpoint, dtype=float)
     if cloud.ndim != 2 or cloud.shape[1] != 3 or len(cloud) < 100:
@@ -125,12 +128,25 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
         raise ValueError("points has values that are not finite")
     if eye.shape != (3,) or not np.isfinite(eye).all():
         raise ValueError(f"viewpoint is {eye}; it must be three finite coordinates [m]")
-    X_WC = look_at(eye, (cloud.min(axis=0) + cloud.max(axis=0)) / 2)
+    for name, values in (("points", cloud), ("viewpoint", eye)):
+        if (largest := np.abs(values).max()) > _FARTHEST:
+            raise ValueError(f"{name} has the coordinate {largest:.3g}; at most {_FARTHEST:g} m")
+    middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
+    distance = float(np.linalg.norm(middle - eye))
+    X_WC = look_at(eye, middle) if distance > 0 else np.eye(4)
     p_CP = (cloud - eye) @ X_WC[:3, :3]
     slopes = np.abs(p_CP[:, :2] / np.maximum(p_CP[:, 2:], 1e-9)).max(axis=0)
     if p_CP[:, 2].min() <= 0 or slopes.max() > math.tan(_WIDEST / 2):
         raise ValueError(
             f"viewpoint {eye} is among the points; they must lie within 60 degrees of one direction"
+        )
+    angles = 2 * np.arctan(slopes * 1.02)
+    if angles.min() < _NARROWEST:
+        across, down = np.degrees(angles)
+        raise ValueError(
+            f"viewpoint {eye} is {distance:.3g} m from the middle of the points, which fill only "
+            f"{across:.2g} x {down:.2g} degrees of its view, less than "
+            f"{math.degrees(_NARROWEST):g}; both must be in metres, in the same frame"
         )
     # As many pixels as points, over the rectangle that they fill.
     side = np.sqrt(4 * slopes[0] * slopes[1] / len(cloud))

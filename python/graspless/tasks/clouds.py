@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +21,9 @@ LZF_RATIO = 100  # of bytes unpacked to packed, at most: three bytes make 264
 def read_cloud(path: str | Path) -> Matrix:
     """Returns the points of a PLY, PCD or XYZ file; of a PLY with faces, its vertices.
 
+    Points that are not finite are left out, with a warning: depth cameras write NaN for pixels
+    without a measurement.
+
     Parameters
     ----------
     path : str or Path
@@ -32,7 +37,8 @@ def read_cloud(path: str | Path) -> Matrix:
     Raises
     ------
     ValueError
-        The file is missing, unreadable, empty, or has values that are not finite.
+        The file is missing or unreadable, holds more or fewer points than it states, or has no
+        finite point.
     """
     path = Path(path)
     if path.suffix.lower() not in SUFFIXES:
@@ -47,25 +53,76 @@ def read_cloud(path: str | Path) -> Matrix:
         raise ValueError(f"cannot be read as a point cloud: {first}") from None
     if not len(points):
         raise ValueError("is empty: has no points")
-    if broken := int(np.count_nonzero(~np.isfinite(points).all(axis=1))):
-        raise ValueError(f"{broken} of {len(points)} points are not finite (NaN or Inf)")
-    return points
+    is_finite = np.isfinite(points).all(axis=1)
+    if broken := int(np.count_nonzero(~is_finite)):
+        what = f"{broken} of {len(points)} points are not finite (NaN or Inf)"
+        if broken == len(points):
+            raise ValueError(what)
+        warnings.warn(f"{path}: {what} and are left out", stacklevel=2)
+    return np.asarray(points[is_finite])
+
+
+def stated_viewpoint(path: Path) -> list[float] | None:
+    """Returns the position in the VIEWPOINT of a PCD file; None if it has none, or the default."""
+    if path.suffix.lower() != ".pcd":
+        return None
+    try:
+        viewpoint = [float(value) for value in _pcd_header(path)[0].viewpoint]
+    except Exception:  # of a broken file, which `read_cloud` reports
+        return None
+    return None if viewpoint == [0, 0, 0, 1, 0, 0, 0] else viewpoint[:3]
 
 
 def _read_ply(path: Path) -> Matrix:
     import trimesh
 
-    loaded: Any = trimesh.load(path, process=False)
+    counts, is_ascii, body = _ply_header(path)
+    stated = " and ".join(f"{count} {name}" for name, count in counts.items())
+    rows = sum(counts.values())
+    if is_ascii and (found := len(body.decode().rstrip().splitlines())) != rows:
+        raise ValueError(f"its header states {rows} rows ({stated}), but {found} follow")
+    try:
+        loaded: Any = trimesh.load(path, process=False)
+    except ValueError as error:
+        if "unexpected length" not in str(error):
+            raise
+        what = f"the {len(body)} bytes after its header are not those of"
+        raise ValueError(f"{what} {rows} rows ({stated}), as it states") from None
     parts = loaded.geometry.values() if isinstance(loaded, trimesh.Scene) else [loaded]
     points = [np.asarray(part.vertices, dtype=float) for part in parts]
     return np.concatenate(points) if points else np.empty((0, 3))
 
 
+def _ply_header(path: Path) -> tuple[dict[str, int], bool, bytes]:
+    """Returns the rows of each element that a PLY states, if it is ASCII, and what follows."""
+    counts: dict[str, int] = {}
+    is_ascii = False
+    with path.open("rb") as file:
+        for line in file:
+            words = line.decode().split()
+            if "end_header" in words:
+                return counts, is_ascii, file.read()
+            is_ascii = is_ascii or words[:2] == ["format", "ascii"]
+            if words[:1] == ["element"]:
+                name, count = words[1:]
+                counts[name] = int(count)
+    raise ValueError("its header has no end_header")
+
+
 def _read_xyz(path: Path) -> Matrix:
-    """Three numbers a line; further columns (colours, normals) and # comments are skipped."""
+    """Three numbers a line, separated by spaces or by commas.
+
+    Further columns (colours, normals) and # comments are skipped.
+    """
     rows = []
     for number, line in enumerate(path.read_text(encoding="utf-8-sig").splitlines(), 1):
-        words = line.split("#")[0].replace(",", " ").split()
+        text = line.split("#")[0].strip()
+        words = text.split()
+        if "," in text:
+            if len(words) > 1 and any("," in word.strip(",") for word in words):
+                what = "separates numbers by spaces and by commas; decimals have a point"
+                raise ValueError(f"line {number} {what}: {line[:40]}")
+            words = re.split(r"\s*,\s*|\s+", text)
         if not words:
             continue
         try:
@@ -80,17 +137,16 @@ def _read_xyz(path: Path) -> Matrix:
 def _read_pcd(path: Path) -> Matrix:
     from pypcd4.pypcd4 import PointCloud
 
-    _check_counts(path)
-    points = PointCloud.from_path(path).numpy(("x", "y", "z"))
-    return np.asarray(points, dtype=float).reshape(-1, 3)
+    stated = _check_counts(path)
+    points = PointCloud.from_path(path).numpy(("x", "y", "z")).reshape(-1, 3)
+    if len(points) != stated:
+        raise ValueError(f"POINTS is {stated}, but {len(points)} rows follow the header")
+    return np.asarray(points, dtype=float)
 
 
-def _check_counts(path: Path) -> None:
-    """Raises ValueError if the header of a PCD states more values than the file can hold.
-
-    The reader takes memory for each of them, before it looks for them.
-    """
-    from pypcd4.pypcd4 import Encoding, MetaData
+def _pcd_header(path: Path) -> tuple[Any, int]:
+    """Returns the header of a PCD, and the number of bytes in it."""
+    from pypcd4.pypcd4 import MetaData
 
     lines: list[str] = []
     with path.open("rb") as file:
@@ -99,10 +155,20 @@ def _check_counts(path: Path) -> None:
                 lines.append(words)
             if words.startswith("DATA") or len(lines) >= 10:
                 break
-        size = path.stat().st_size
-        rest = size - file.tell()
-        sizes = file.read(8)
-    header = MetaData.parse_header(lines)
+        return MetaData.parse_header(lines), file.tell()
+
+
+def _check_counts(path: Path) -> int:
+    """Returns the number of points that the header of a PCD states.
+
+    Raises ValueError if the file cannot hold them: the reader takes memory for each of them, before
+    it looks for them.
+    """
+    from pypcd4.pypcd4 import Encoding
+
+    header, start = _pcd_header(path)
+    size = path.stat().st_size
+    rest = size - start
     columns = sum(header.count)
     needed = header.points * sum(
         width * n for width, n in zip(header.size, header.count, strict=True)
@@ -111,7 +177,9 @@ def _check_counts(path: Path) -> None:
     if header.data == Encoding.ASCII:
         needed, room = 2 * columns * header.points, rest + 1  # a digit and a space each
     elif header.data != Encoding.BINARY:
-        room = int.from_bytes(sizes[4:], "little")
+        with path.open("rb") as file:
+            file.seek(start + 4)
+            room = int.from_bytes(file.read(4), "little")
         if room > LZF_RATIO * rest:
             raise ValueError(f"states {room} bytes of points, packed in {rest} bytes")
     if columns > size:
@@ -119,3 +187,4 @@ def _check_counts(path: Path) -> None:
     if needed > room:
         what = f"POINTS is {header.points}, which takes at least {needed} bytes"
         raise ValueError(f"{what}; {room} bytes follow the header")
+    return int(header.points)
