@@ -51,7 +51,8 @@ def explain(error: BaseException) -> str:
     if isinstance(error, RecursionError):
         return "nested too deeply"
     if isinstance(error, OSError) and error.strerror:
-        name = "" if error.filename is None else f"{str(error.filename)[:60]!r}: "
+        file = "" if error.filename is None else str(error.filename)
+        name = f"{file if len(file) <= 255 else file[:60] + '...' + file[-60:]!r}: " if file else ""
         return f"{name}{error.strerror}"
     first = str(error).splitlines()[0] if str(error) else ""
     if isinstance(error, ValueError) and first:

@@ -405,6 +405,8 @@ goal: {position: [0.55, 0.1, 0.3], rpy: [0, 0, 0.3]}
         assert f"{field}: missing" in fault(write(kept))
     assert "frame: palm:" in fault(write(changed("frame: grasp", "frame: palm", text)))
     assert "rests_on" in fault(write(text + "rests_on: [table]\n"))
+    thin = changed("0.02]}", "1.0e-8]}", text)
+    assert fault(write(thin)).startswith("task.yaml:4: object.box: box.size[2] must be in")
 
 
 def test_command_line(write, capsys, tmp_path):

@@ -126,6 +126,8 @@ FAULTS = [
     (of_object("loops: {max_edge: 0.5}"), 6, r"loops.max_edge: unknown field; did you .*edge_length"),
     (more("clasp: {loops: [-1]}"), 7, r"clasp.loops\[0\]: -1: should be greater"),
     (more("clasp: {loops: [4]}"), 7, r"clasp.loops\[0\]: 4: there is no loop 4; .*has 1 loop,"),
+    (more("clasp: {loops: [4294967296]}"), 7, r"clasp.loops\[0\]: 4294967296: should be less"),
+    (of_object("loops: {max_points: 4294967296}"), 6, r"max_points: 4294967296: should be less"),
     (more("clasp: {marks: [0, 0, 1]}"), 7, r"clasp.marks\[0\]: 0: should be a valid list"),
     (more("clasp: {marks: [[0, 0, 1e9]]}"), 7, r"clasp.marks\[0\]: .*finite"),
     (more("clasp: {pull: [0, 0, 0]}"), 7, r"clasp.pull: must be a direction whose length lies in \[1e-06, 10000\], not 0"),

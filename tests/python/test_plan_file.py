@@ -13,6 +13,8 @@ import pytest
 
 import graspless
 from graspless import TaskError, files, frames, slide
+from graspless.kinds import KINDS, part
+from graspless.plan_files import table
 from graspless.plan_files.slide import SlidePlanFile
 from graspless.view import write_html
 from tasks_common import GOOD, changed, reread, without_clock
@@ -149,6 +151,17 @@ def test_check_finds_a_plan_that_was_changed(plan, document, tmp_path):
         (lambda d: d["X_WO_goal"].__setitem__(3, 2.0), "not of unit length"),
         (lambda d: d["overhang"].__class__ and d.update(overhang=float("nan")), "NaN"),
         (lambda d: d["task"].pop("object"), "object: missing"),
+        (
+            lambda d: d["stats"].update(iterations=2**64),
+            "stats.iterations: 18446744073709551616: .*less",
+        ),
+        (lambda d: d["stats"].update(projections={}), r"stats.projections: \{\}: .*valid integer"),
+        (lambda d: d["stats"].update(refusals=0), "stats.refusals: 0: .*(dictionary|mapping)"),
+        (
+            lambda d: d["stats"].update(refusals={"a": 2**63}),
+            "stats.refusals.a: 9223372036854775808: ",
+        ),
+        (lambda d: d.update(seed=2**64), "seed: 18446744073709551616: should be less"),
         (lambda d: d["task"]["robot"].update(urdf_text="<robot>"), "robot.urdf_text: "),
     ],
 )
@@ -235,6 +248,32 @@ def test_schema_is_that_of_the_model(document):
     # In brackets there are units: [N] is newtons. Shapes are (N, 3).
     for text in re.findall(r'"description": "(.*)"', schema.text() + schema.trajectory_text()):
         assert not re.search(r"^\[(?!m\])|\]\[", text), text
+
+
+def unbounded(schema, place=()):
+    """Yields the places of whole numbers without a largest or a least value."""
+    if isinstance(schema, dict) and schema.get("type") == "integer":
+        upper, lower = {"maximum", "exclusiveMaximum"}, {"minimum", "exclusiveMinimum"}
+        if "const" not in schema and not (upper & set(schema) and lower & set(schema)):
+            yield place
+    inner = schema.items() if isinstance(schema, dict) else enumerate(schema)
+    for key, value in inner:
+        if isinstance(value, (dict, list)):
+            yield from unbounded(value, (*place, key))
+
+
+@pytest.mark.parametrize("kind", [*KINDS, "plan"])
+def test_every_whole_number_has_bounds(kind):
+    """The core would answer those beyond its own with a TypeError that names no field."""
+    schema = table.schema() if kind == "plan" else part("tasks", kind).Fields.model_json_schema()
+    # Arguments of xacro are text to us.
+    assert [place for place in unbounded(schema) if "xacro_args" not in place] == []
+
+
+def test_former_counters_and_those_without_a_value_are_ignored(document, tmp_path):
+    stats = document["stats"] | {"former": [1], "pairs": None}
+    found = reread(document | {"stats": stats}, tmp_path / "plan.json").statistics.as_dict()
+    assert found == {name: document["stats"][name] for name in found} | {"pairs": 0}
 
 
 def test_writes_whole_or_not_at_all(tmp_path, monkeypatch):

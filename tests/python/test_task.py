@@ -53,6 +53,34 @@ FAULTS = [
     (("0.004", "thin"), 8, r"object.thickness: thin: should be a valid number"),
     (("0.004", "0,004"), 8, r"object.thickness: 0,004: .* a point: 0.004"),
     (("0.004", "'0.004'"), 8, r"object.thickness: '0.004': .*number, without quotes"),
+    (("[0.10, 0.08]", '"[0.1, 0.08]"'), 7, r"size: '\[0.1, 0.08\]': .* valid list, without quotes"),
+    (
+        (CARD, 'rectangle: "{size: [1, 1]}"'),
+        7,
+        r"rectangle: '\{size.*: .*mapping with.*, without quotes",
+    ),
+    ((POSE, "'[0, 1]'"), 9, r"object.pose: '\[0, 1\]': .*mapping with .*, without quotes"),
+    (("name: card", "name: {a: 1}"), 6, r"object.name: \{'a': 1\}: should be a valid string"),
+    (("0.004", "{a: 1}"), 8, r"object.thickness: \{'a': 1\}: should be a valid number"),
+    (("name: card", "'': card"), 6, r"object.'': unknown field"),
+    (("kind: slide", "'': 1\nkind: slide"), 1, r"^task.yaml:1: '': unknown field"),
+    (
+        ("x: 0.60", "x: 100000"),
+        9,
+        r"object.pose: \{'x': 100000.0, .*\}: must be a rigid pose within 1e4 m",
+    ),
+    (
+        ("height: 0.0", "height: 0.0\n  usable_edges: [4294967296]"),
+        13,
+        r"usable_edges\[0\]: 4294967296: .*less",
+    ),
+    (
+        more(
+            "obstacles: [{name: a, vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles: [[0, 1, 4294967298]]}]"
+        ),
+        13,
+        r"obstacles\[0\].triangles\[0\]\[2\]: 4294967298: should be less",
+    ),
     ((HOME, "home: no"), 4, r"robot.home: false: .*put text in quotes"),
     (("0.004", "yes"), 8, r"object.thickness: true: should be a valid number"),
     (("0.004", "-0.004"), 8, r"object.thickness: -0.004: should be greater than 0"),
@@ -117,6 +145,12 @@ def test_fault_says_file_line_field_value_and_choice(write, change, line, what):
     assert re.match(rf"task\.yaml:{line}: ", message), message
     assert re.search(what, message), message
     assert "\n" not in message
+
+
+def test_a_missing_file_is_named_whole(write):
+    name = f"{'/'.join(['a_long_folder'] * 8)}/b.stl"
+    message = fault(write(changed(*more(f"obstacles: [{{name: a, mesh: {{file: {name}}}}}]"))))
+    assert message == f"task.yaml:13: obstacles[0].mesh.file: {name}: no such file"
 
 
 def test_says_all_faults_at_once(write):

@@ -10,7 +10,9 @@ from pydantic import Field, model_validator
 
 from .. import carry
 from ..tasks.carry.model import CarryTask
-from .table import PlanFields, PoseRow, Table, require_rows
+from ..tasks.options import described_by
+from ..tasks.shapes import IndexOrNone
+from .table import Counters, PlanFields, PoseRow, Table, require_rows
 
 if TYPE_CHECKING:
     Status = str
@@ -30,16 +32,22 @@ class Segment(Table):
     )
 
 
+@described_by(carry.Statistics)
+class CarryStatistics(Counters):
+    """Counters of the search."""
+
+
 class CarryPlanFile(PlanFields):
     """A plan with its whole task."""
 
     kind: Literal["carry"]
     status: Status
+    stats: CarryStatistics
     joint_names: list[str]
     reached: Annotated[float, Field(ge=0, le=1)] = Field(
         description="fraction of the path that was reached, in [0, 1]"
     )
-    place: Annotated[int, Field(ge=-1)] = Field(
+    place: IndexOrNone = Field(
         default=-1, description="index of the place where the object is put down; -1: none"
     )
     segments: list[Segment]

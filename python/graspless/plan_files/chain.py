@@ -9,13 +9,13 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field, model_validator
 
 from ..tasks.chain.model import ChainTask
-from ..tasks.shapes import Fields
+from ..tasks.shapes import CountOrZero, Fields, Index
 from .carry import CarryPlanFile
 from .clasp import ClaspPlanFile
 from .fingertip import FingertipPlanFile
 from .pinch import PinchPlanFile
 from .slide import SlidePlanFile
-from .table import PlanFields, PoseRow, require_unit_quaternions
+from .table import Counters, PlanFields, PoseRow, require_unit_quaternions
 
 StagePlan = Annotated[
     SlidePlanFile | PinchPlanFile | FingertipPlanFile | ClaspPlanFile | CarryPlanFile,
@@ -40,14 +40,23 @@ class Segment(Fields):
     """Place of a segment of the whole chain: its stage, and its index there."""
 
     name: str
-    stage: Annotated[int, Field(ge=0)]
-    segment: Annotated[int, Field(ge=0)] = Field(description="index of the segment in that stage")
+    stage: Index
+    segment: Index = Field(description="index of the segment in that stage")
+
+
+class ChainStatistics(Counters):
+    """Counters of the search."""
+
+    seconds: float = 0.0
+    planned_stages: CountOrZero = Field(default=0, description="number of stages with a plan")
+    attempts: CountOrZero = Field(default=1, description="number of searches from the first stage")
 
 
 class ChainPlanFile(PlanFields):
     """Plans one after the other, with the whole task."""
 
     kind: Literal["chain"]
+    stats: ChainStatistics
     status: str = Field(
         description="solved; not_joined: a stage cannot start at the end of the one before it; "
         "out_of_time: before a stage was started; or the status of the first stage that is "

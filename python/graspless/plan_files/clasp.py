@@ -10,14 +10,14 @@ from pydantic import Field, model_validator
 
 from .. import clasp, geometry
 from ..tasks.clasp.model import ClaspTask
-from ..tasks.shapes import NotNegative, Point3
-from .table import PlanFields, PoseRow, Table, require_rows
+from ..tasks.options import described_by
+from ..tasks.shapes import Index, NotNegative, Point3
+from .table import Counters, PlanFields, PoseRow, Table, require_rows
 
 if TYPE_CHECKING:
     Status = str
 else:
     Status = Literal[tuple(clasp.Status.__members__)]
-Index = Annotated[int, Field(ge=0)]
 
 
 class Segment(Table):
@@ -121,11 +121,17 @@ class Tree(Table):
         return self
 
 
+@described_by(clasp.Statistics)
+class ClaspStatistics(Counters):
+    """Counters of the search."""
+
+
 class ClaspPlanFile(PlanFields):
     """A plan with its whole task."""
 
     kind: Literal["clasp"]
     status: Status
+    stats: ClaspStatistics
     joint_names: list[str]
     loop: Index | None = Field(
         default=None, description="index of the clasped loop; 0 is the shortest"

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -12,10 +12,10 @@ from pydantic import Field, model_validator
 from .. import fingertip
 from .._core.fingertip import _rows as core_rows
 from ..tasks.fingertip.model import FingertipTask
-from ..tasks.shapes import Point3
-from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+from ..tasks.options import described_by
+from ..tasks.shapes import CountOrZero, IndexOrNone, Point3
+from .table import Counters, PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
 
-Index = Annotated[int, Field(ge=-1)]
 if TYPE_CHECKING:
     Status = str
 else:
@@ -49,7 +49,7 @@ class Segment(Table):
     MAKE: ClassVar = _segment
 
     name: str = Field(description="slide, turn, tumble or regrasp")
-    finger: Index = Field(description="index of the finger that regrasps, else -1")
+    finger: IndexOrNone = Field(description="index of the finger that regrasps, else -1")
     X_WO: list[PoseRow] = Field(
         description="(K, 7) poses of the lattice, x y z qw qx qy qz in the world"
     )
@@ -111,7 +111,7 @@ class JointSegment(Table):
     ATTRIBUTES: ClassVar = {"object_poses": "X_WO"}
 
     name: str = Field(description="approach, touch, slide, turn, tumble, release, reach or retreat")
-    plan_segment: Index = Field(
+    plan_segment: IndexOrNone = Field(
         description="index in `segments` of the segment that it carries out, or -1"
     )
     scrub: float = Field(
@@ -131,7 +131,7 @@ class Realization(Table):
     found: bool
     reason: str = Field(description="segment, row and finger that fail, and the reason")
     joint_names: list[str]
-    finger_of_fingertip: list[Index] = Field(
+    finger_of_fingertip: list[IndexOrNone] = Field(
         description="index of the plan's finger for each fingertip of the task's carrier"
     )
     segments: list[JointSegment]
@@ -158,8 +158,13 @@ class Weakest(Table):
 
     MAKE: ClassVar = fingertip.Weakest
 
-    segment: Index
-    row: Index
+    segment: IndexOrNone
+    row: IndexOrNone
+
+
+@described_by(fingertip.Statistics)
+class FingertipStatistics(Counters):
+    """Counters of the search."""
 
 
 class FingertipPlanFile(PlanFields):
@@ -167,13 +172,14 @@ class FingertipPlanFile(PlanFields):
 
     kind: Literal["fingertip"]
     status: Status
+    stats: FingertipStatistics
     cost: float | None = Field(
         default=None, description="cost by Eqs. (9) and (10) [m]; null unless solved"
     )
     lower_bound: float | None = Field(
         default=None, description="lower bound on the cost of every plan on this lattice [m]"
     )
-    regrasps: int
+    regrasps: CountOrZero
     withstands: float | None = Field(
         default=None,
         description="largest disturbance that every row withstands, fingers in their places [N]; "

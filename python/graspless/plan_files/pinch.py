@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from .. import pinch
+from ..tasks.options import described_by
 from ..tasks.pinch.model import PinchTask
 from ..tasks.shapes import Point3
-from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+from .table import Counters, PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
 
 if TYPE_CHECKING:
     Status = str
@@ -31,11 +32,17 @@ class Segment(Table):
     )
 
 
+@described_by(pinch.Statistics)
+class PinchStatistics(Counters):
+    """Counters of the search."""
+
+
 class PinchPlanFile(PlanFields):
     """A plan with its whole task."""
 
     kind: Literal["pinch"]
     status: Status
+    stats: PinchStatistics
     joint_names: list[str]
     opening: float = Field(description="distance between the fingers of the open hand [m]")
     friction: float = Field(description="coefficient of friction that the pinch needs")

@@ -9,33 +9,32 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from pydantic import Field, model_validator
 
 from ..proving.proof import ENDS
-from ..tasks.shapes import Fields, NotNegative
+from ..tasks.shapes import LARGEST_INT, Count, CountOrZero, Fields, NotNegative, Seed
 
 if TYPE_CHECKING:
     End = str
 else:
     End = Literal[tuple(ENDS)]
-Count = Annotated[int, Field(ge=0)]
 Name = Annotated[str, Field(pattern=r"^\w+$", max_length=64)]
 
 
 class ProofFields(Fields):
     """Trials of a plan in the physics engine while it was searched for."""
 
-    asked: Annotated[int, Field(ge=2)] = Field(
+    asked: Annotated[int, Field(ge=2, le=LARGEST_INT)] = Field(
         description="number of trials that were asked for: one nominal, the others varied"
     )
-    trials: Count = Field(description="number of trials that were done")
-    held: Count = Field(description="number of trials that held")
+    trials: CountOrZero = Field(description="number of trials that were done")
+    held: CountOrZero = Field(description="number of trials that held")
     failures: list[list[Name]] = Field(
         description="(trials,) names of the failures of each trial, the nominal one first"
     )
     varied: dict[str, NotNegative] = Field(
         description="half width of each variation: fractions, metres or radians"
     )
-    trial_seed: Count = Field(description="seed of the variations")
-    plan_seed: Count = Field(description="seed of the plan")
-    plans: Annotated[int, Field(ge=1)] = Field(description="number of plans that were simulated")
+    trial_seed: Seed = Field(description="seed of the variations")
+    plan_seed: Seed = Field(description="seed of the plan")
+    plans: Count = Field(description="number of plans that were simulated")
     ended: End = Field(description="reason why the search ended")
     engine: str = Field(description="name and version of the physics engine")
     version: str = Field(description="version of graspless")

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from .. import slide
+from ..tasks.options import described_by
 from ..tasks.slide.model import SlideTask
-from .table import PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+from .table import Counters, PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
 
 if TYPE_CHECKING:
     Status = str
@@ -59,11 +60,17 @@ class Tube(Table):
     )
 
 
+@described_by(slide.Statistics)
+class SlideStatistics(Counters):
+    """Counters of the search."""
+
+
 class SlidePlanFile(PlanFields):
     """A plan with its whole task."""
 
     kind: Literal["slide"]
     status: Status
+    stats: SlideStatistics
     joint_names: list[str]
     overhang: float = Field(
         description="length of the object beyond the edge at the goal [m]; 0 with an end"

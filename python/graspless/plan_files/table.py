@@ -25,12 +25,12 @@ from typing import (
 )
 
 import numpy as np
-from pydantic import BaseModel, Discriminator, Field, TypeAdapter
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, TypeAdapter
 
 from .. import frames
 from ..kinds import KINDS, part
 from ..tasks.effective_values import plain
-from ..tasks.shapes import Fields
+from ..tasks.shapes import Fields, Seed
 from .proof import ProofFields
 
 if TYPE_CHECKING:
@@ -52,6 +52,12 @@ class Table(Fields):
     """Attributes that are not called as the field is."""
 
 
+class Counters(Fields):
+    """Counters of the search. Former ones, in older plan files, are ignored."""
+
+    model_config = ConfigDict(extra="ignore")
+
+
 class PlanFields(Table):
     """A plan with its whole task; each kind adds its segments and the task."""
 
@@ -60,8 +66,8 @@ class PlanFields(Table):
     version: str = Field(description="version of graspless that wrote the file")
     status: str
     reason: str = Field(description="explanation in one sentence; a solved plan may have none")
-    seed: int
-    stats: dict[str, float | int | dict[str, int]] = Field(description="counters of the search")
+    seed: Seed
+    stats: Counters = Field(description="counters of the search")
     proof: ProofFields | None = Field(
         default=None, description="trials in the physics engine, if the plan was made with `prove`"
     )
@@ -141,7 +147,8 @@ def fill(plan: Any, fields: dict[str, Any], model: type[PlanFields]) -> None:
     """Gives an empty plan the fields of a file."""
     plan.status = plan._status(fields["status"])
     known = plan.statistics.as_dict()
-    stats = {name: value for name, value in fields["stats"].items() if name in known}
+    given = fields["stats"].items()
+    stats = {name: value for name, value in given if name in known and value is not None}
     plan.statistics = type(plan.statistics)(**stats)
     given = {name: value for name, value in fields.items() if name != "status"}
     for attribute, value in _attributes(given, model, _poses_in(given, model)).items():

@@ -52,6 +52,8 @@ def _optional(field: Any, default: Any) -> tuple[Any, Any]:
     kind: Any = type(next(iter(field.bounds.values()), default))
     if kind is tuple:
         kind = list[str]
+    if kind is dict:
+        kind = dict[str, Annotated[int, Field(ge=0, lt=2**63)]]
     if hasattr(kind, "__members__"):
         names: Any = Literal
         kind = names[tuple(kind.__members__)]

@@ -23,6 +23,8 @@ Location = tuple["str | int", ...]
 MOST_FAULTS = 20  # lines of one message
 DEEPEST = 100  # levels of lists and mappings in each other
 MOST_DIGITS = 40  # of a whole number
+LONGEST, LONGEST_PATH = 60, 4096  # characters of a value, and of a path, in a message
+_ABSENT = ("no such", "is a folder", "is not a file", "cannot be read: ")
 LARGEST = 1e30  # magnitude of a number: its square and cube are finite too
 
 
@@ -49,7 +51,9 @@ class Source:
         """Returns a message in one line: file:line: field: value: allowed values."""
         place = tuple(location)
         value, known = self._look_up(place)
-        shown = f"{shorten(value)}: " if known and not isinstance(value, (dict, list)) else ""
+        longest = LONGEST_PATH if what.startswith(_ABSENT) else LONGEST
+        is_shown = known and not isinstance(value, (dict, list))
+        shown = f"{shorten(value, longest)}: " if is_shown else ""
         return f"{self.where(place)}{shown}{what}"
 
     def where(self, place: Location) -> str:
@@ -120,11 +124,13 @@ class Source:
             names = f" with some of: {', '.join(fields)}" if fields else ""
             value = self._look_up(place)[0]
             shown = f"{shorten(value)}: " if isinstance(value, list) else ""
-            return self.message(place, f"{shown}should be a mapping{names}")
+            return self.message(place, f"{shown}should be a mapping{names}{_advice(kind, value)}")
         value = self._look_up(place)[0]
         text = re.sub(r"^(Value error, |Input )| after validation", "", fault["msg"])
         text += _advice(kind, value)
-        shown = f"{shorten(value)}: " if isinstance(value, list) and kind != "value_error" else ""
+        is_hidden = isinstance(value, list) and kind != "value_error"
+        is_hidden = is_hidden or (isinstance(value, dict) and kind.endswith("_type"))
+        shown = f"{shorten(value)}: " if is_hidden else ""
         return self.message(place, shown + text[:1].lower() + text[1:])
 
 
@@ -149,12 +155,19 @@ def _advice(kind: str, value: Any) -> str:
     """Returns what to write instead of a value of another type."""
     if kind == "string_type" and isinstance(value, bool):
         return "; YAML reads yes, no, on and off as true or false: put text in quotes"
+    if kind in ("list_type", "model_type", "dict_type") and _is_quoted(value):
+        return ", without quotes"
     if kind in ("float_parsing", "float_type", "int_parsing", "int_type"):
         if isinstance(value, str) and re.fullmatch(r"[-+]?\d*,\d+", value):
             return f"; decimals have a point: {value.replace(',', '.')}"
         if isinstance(value, str) and _is_number(value):
             return ", without quotes"
     return ""
+
+
+def _is_quoted(value: Any) -> bool:
+    """True of text that would be a list or a mapping without its quotes."""
+    return isinstance(value, str) and value.strip()[:1] + value.strip()[-1:] in ("[]", "{}")
 
 
 def _is_number(text: str) -> bool:
@@ -196,20 +209,22 @@ def dotted(place: Location) -> str:
     """Returns the name of a field in a message."""
     text = ""
     for key in place:
-        text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else str(key)
+        name = key or "''" if isinstance(key, str) else f"[{key}]"
+        text += f".{name}" if text and isinstance(key, str) else name
     return f"{text}: " if text else ""
 
 
-def shorten(value: Any) -> str:
+def shorten(value: Any, longest: int = LONGEST) -> str:
     """Returns a value in a message."""
     try:
-        is_word = isinstance(value, str) and value.isprintable() and not _is_number(value)
+        is_word = isinstance(value, str) and value.isprintable()
+        is_word = is_word and not _is_number(value) and not _is_quoted(value)
         text = value if is_word else repr(value)
     except ValueError:  # more digits than Python writes
         return "a whole number" if isinstance(value, int) else "a list"
     if isinstance(value, bool):
         text = str(value).lower()
-    return text if len(text) <= 60 else text[:57] + "..."
+    return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
 def faults(data: Any) -> Iterator[tuple[Location, str]]:

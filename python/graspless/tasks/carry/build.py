@@ -94,7 +94,8 @@ def places(task: model.CarryTask, source: Source) -> carry.Places:
 def object_shapes(thing: model.Object, source: Source) -> list[geometry.PlacedShape]:
     """Returns the shapes of the held object, in O."""
     if thing.box is not None:
-        return [geometry.PlacedShape(geometry.Box(np.array(thing.box)), np.eye(4))]
+        with at(source, "object", "box"):
+            return [geometry.PlacedShape(geometry.Box(np.array(thing.box)), np.eye(4))]
     if thing.parts is not None:
         with at(source, "object", "parts"):
             return placed_parts(thing.parts)

@@ -19,12 +19,18 @@ from ..options import described_by
 from ..rays import Rays
 from ..robots import Robot
 from ..scenes import RESPECT, Respect
-from ..shapes import Fields, MeshFile, NotNegative, Point3, Pose, Positive
+from ..shapes import (
+    Count,
+    Fields,
+    Index,
+    MeshFile,
+    NotNegative,
+    Point3,
+    Pose,
+    Positive,
+    Seed,
+)
 from .hand import Hand
-
-Count = Annotated[int, Field(ge=1)]
-CountOrZero = Annotated[int, Field(ge=0)]
-Seed = Annotated[int, Field(ge=0, lt=2**64)]
 
 
 def _kind_of_points(value: Any) -> str:
@@ -134,7 +140,7 @@ class Object(Fields):
 class Clasp(Fields):
     """Restriction of the points that may be clasped."""
 
-    loops: list[CountOrZero] = Field(
+    loops: list[Index] = Field(
         default=[], description="indices of the loops, 0 is the shortest; empty: any"
     )
     marks: list[Point3] = Field(

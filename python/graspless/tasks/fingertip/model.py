@@ -20,7 +20,6 @@ from ..robots import Robot
 from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3, Triangle
 from .motion import Motion
 
-Count = Annotated[int, Field(ge=1)]
 Direction = Annotated[list[float], Field(min_length=6, max_length=6)]
 
 

@@ -8,9 +8,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from ..shapes import Fields, Point3, Pose, Positive
+from ..shapes import Count, CountOrZero, Fields, Point3, Pose, Positive
 
-Segments = Annotated[int, Field(ge=1, le=100_000)]
+MOST_POSES = 100_000  # of a motion
+MOST_SEGMENTS = MOST_POSES - 1
+Segments = Annotated[int, Field(ge=1, le=MOST_SEGMENTS)]
 Side = Literal["+x", "-x", "+y", "-y"]
 STANDING = "of O in the world; default: standing on the floor over the origin, unturned"
 
@@ -80,7 +82,7 @@ class Lattice(Fields):
     goal: Pose = Field(description="pose of O in the world, on the lattice")
     lower: Point3 = Field(description="least x, y, yaw relative to the start [m, m, rad]")
     upper: Point3 = Field(description="largest x, y, yaw relative to the start [m, m, rad]")
-    counts: Annotated[list[Annotated[int, Field(ge=1)]], Field(min_length=3, max_length=3)] = Field(
+    counts: Annotated[list[Count], Field(min_length=3, max_length=3)] = Field(
         default=[30, 30, 30],
         description="number of values of x, y and yaw, with start and goal among them: 1 where "
         "lower and upper are equal, an odd number where the start is in their middle",
@@ -94,7 +96,7 @@ class Goal(Fields):
     pose: Pose = Field(description="pose of O in the world")
     slide_step: Positive | None = Field(default=None, description="longest step of a slide [m]")
     turn_step: Positive | None = Field(default=None, description="largest step of a turn [rad]")
-    max_tumbles: Annotated[int, Field(ge=0)] | None = None
+    max_tumbles: CountOrZero | None = None
 
 
 class Motion(Fields):
@@ -103,7 +105,7 @@ class Motion(Fields):
     slide: Slide | None = None
     turn: Turn | None = None
     tumble: Tumble | None = None
-    path: Annotated[list[Pose], Field(min_length=2)] | None = Field(
+    path: Annotated[list[Pose], Field(min_length=2, max_length=MOST_POSES)] | None = Field(
         default=None,
         description="poses of O in the world; the object moves along a screw from each to the next",
     )

@@ -15,6 +15,7 @@ from ..._core import fingertip
 from ..shapes import pose_matrix
 from ..source import at
 from ..statement import pose_fields, struct_fields
+from .motion import MOST_SEGMENTS
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -62,6 +63,9 @@ def build_motion(
         return _Walk(thing, floor, source).step(motion, ("motion",))
     walk = _Walk(thing, floor, source)
     paths = [walk.step(step, ("motion", "sequence", i)) for i, step in enumerate(motion.sequence)]
+    if (segments := sum(len(path.X_WO) - 1 for path in paths)) > MOST_SEGMENTS:
+        what = f"has {segments} segments together; at most {MOST_SEGMENTS} can be"
+        raise source.error(("motion", "sequence"), what)
     with at(source, *place):
         return fingertip.join(paths)
 

@@ -15,7 +15,7 @@ from ..._core import slide
 from ..obstacles import build_obstacles
 from ..robots import build_home, build_robot, require_srdf
 from ..shapes import regular_polygon
-from ..source import at
+from ..source import at, shorten
 from . import model
 from .resolve import support_pose
 
@@ -77,7 +77,8 @@ def build(
         named = re.match(r"obstacles\[(\d+)\]\.name (.*)", str(error))
         if named is not None:
             raise source.error(("obstacles", int(named[1])), named[2]) from None
-        raise source.error(("object", "pose"), str(error)) from None
+        what = str(error).removeprefix("X_WO_start ")
+        raise source.error(("object", "pose"), f"{shorten(pose.model_dump())}: {what}") from None
     return problem
 
 

@@ -23,6 +23,7 @@ from ..scenes import RESPECT, Respect
 from ..shapes import (
     Circle,
     Fields,
+    Index,
     NotNegative,
     PlanarPose,
     Point2,
@@ -176,7 +177,7 @@ class Support(Fields):
         default=None, description="coefficient of friction between object and support"
     )
 
-    usable_edges: list[Annotated[int, Field(ge=0)]] | None = Field(
+    usable_edges: list[Index] | None = Field(
         default=None,
         description="edges over which the object may stick out, by the corners of the polygon "
         "where they begin, from 0; default: all, or of a scene the real ones",
