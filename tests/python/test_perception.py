@@ -220,6 +220,21 @@ def test_bad_point_files_are_refused(scene, tmp_path):
         perception.load_scene(path)
 
 
+def test_a_scene_takes_its_own_points_only(scene, tmp_path):
+    path, arrays = tmp_path / "scene.yaml", tmp_path / "scene.npz"
+    perception.save_scene(scene, path)
+    with np.load(arrays) as found:
+        moved = {name: found[name] + (0.01 if name == "object_0" else 0) for name in found.files}
+    np.savez(arrays, **moved)
+    with pytest.raises(
+        TaskError, match=r"yaml:\d+: points: scene.npz: is not the file that belongs"
+    ):
+        perception.load_scene(path)
+    lines = [line for line in path.read_text().splitlines() if "sha256" not in line]
+    path.write_text("\n".join(lines))  # as older versions wrote it
+    assert perception.load_scene(path).objects[0].points == pytest.approx(moved["object_0"])
+
+
 @pytest.mark.parametrize(
     ("depth", "K", "X", "words"),
     [

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -14,6 +15,7 @@ from pydantic import Field, model_validator
 from .. import files, frames
 from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
 from ..errors import TaskError, explain
+from ..tasks.meshes import checksum
 from ..tasks.rays import RayCamera, camera_fields
 from ..tasks.reading import read_yaml
 from ..tasks.shapes import (
@@ -105,6 +107,9 @@ class SceneFields(Fields):
     points: str | None = Field(
         default=None, description=".npz file beside this one: the points of each object in O [m]"
     )
+    points_sha256: str | None = Field(
+        default=None, description="sha256 of that file; files of older versions have none"
+    )
 
     @model_validator(mode="after")
     def _check(self) -> SceneFields:
@@ -161,6 +166,7 @@ def save_scene(scene: Scene, path: str | Path) -> None:
         np.savez_compressed(packed, **clouds)
         files.write(path.with_suffix(".npz"), packed.getvalue())
         document["points"] = path.with_suffix(".npz").name
+        document["points_sha256"] = hashlib.sha256(packed.getvalue()).hexdigest()
     files.write(path, yaml.safe_dump(document, sort_keys=False, default_flow_style=None, width=110))
 
 
@@ -280,6 +286,9 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
         for name in (thing.name, *(_name_of(thing.name, i) for i in range(len(thing.rays)))):
             if name not in clouds:
                 raise source.error(("points",), f"has no array '{name}'")
+    if fields.points_sha256 is not None and checksum(path) != fields.points_sha256:
+        what = "is not the file that belongs to this scene: its points_sha256 differs"
+        raise source.error(("points",), what)
     return clouds
 
 
