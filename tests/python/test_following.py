@@ -121,6 +121,22 @@ def test_targets_have_bounded_speed_acceleration_and_jerk(plan, happens):
     assert np.abs(jerk).max() < bends * JERK * ACCELERATION[0]
 
 
+@pytest.mark.parametrize("max_jerk", [JERK * ACCELERATION[0], 1e5])
+def test_targets_of_a_fast_loop_are_as_smooth(plan, max_jerk):
+    """Between samples of the motion they would go straight on, and then turn at once."""
+    world = World(plan, rate=1000.0, camera=0)
+    world.follower = Follower(plan, Settings(look_seconds=0.0), max_jerk=max_jerk)
+    world.run(lambda target: target.phase == "slide")
+    (_, acceleration, jerk), _ = derivatives(world)
+    assert np.abs(acceleration).max() < ACCELERATION[0]
+    assert np.abs(jerk).max() < max_jerk
+
+
+def test_motions_that_take_hours_are_refused(plan):
+    with pytest.raises(TaskError, match="approach: takes .* max_acceleration .* should be more"):
+        Follower(plan, max_velocity=1e-5)
+
+
 def test_targets_in_contact_accelerate_less(plan):
     world = World(plan, x=0.004, yaw=0.05, **CAMERA)
     world.run()

@@ -12,7 +12,7 @@ import pytest
 from graspless.timing.clip import clip
 from graspless.timing.limits import Limits, Zone
 from graspless.timing.path import rounded
-from graspless.timing.ramps import ramped, ramps
+from graspless.timing.ramps import Ramped, ramps
 from graspless.timing.rates import Rate
 
 
@@ -32,6 +32,12 @@ def zones(points, limits=LIMITS):
     return [Zone(slice(0, len(points)), limits, np.full(3, 1e-3))]
 
 
+def ramped(points, rate, velocity=None, limits=LIMITS):
+    """Samples of the motion at a rate [1/s]."""
+    motion = Ramped(points, zones(points, limits), velocity)
+    return motion.at(Rate(rate).times(motion.duration))
+
+
 def rounded_walk(seed):
     return rounded(walk(seed), np.full((30, 3), 1e-3))
 
@@ -40,7 +46,7 @@ def rounded_walk(seed):
 @pytest.mark.parametrize("speed", [0.0, 0.05, 5.0])
 def test_limits_hold_and_the_end_is_reached_at_rest(seed, speed):
     points = walk(seed)
-    found = ramped(points, zones(points), Rate(2000), speed * (points[1] - points[0]))
+    found = ramped(points, 2000, speed * (points[1] - points[0]))
     assert found.coordinates[0] == pytest.approx(points[0])
     assert found.coordinates[-1] == pytest.approx(points[-1])
     assert np.abs(found.velocities[-1]).max() < 1e-6
@@ -55,14 +61,14 @@ def test_limits_hold_and_the_end_is_reached_at_rest(seed, speed):
 @pytest.mark.parametrize("seed", range(5))
 def test_the_fastest_motion_is_not_much_faster(seed):
     points = walk(seed)
-    quick = ramped(points, zones(points), Rate(100)).times[-1]
+    quick = ramped(points, 100).times[-1]
     best = clip(points, zones(points), Rate(100)).times[-1]
     assert 0.99 * best < quick < 1.6 * best
 
 
 def test_a_pace_holds_everywhere():
     limits = replace(LIMITS, paces=[lambda q, dq: 10 + 5 * np.sin(9 * q[:, 0])])
-    found = ramped(walk(3), zones(walk(3), limits), Rate(1000))
+    found = ramped(walk(3), 1000, limits=limits)
     path = rounded_walk(3)
     speeds = np.linalg.norm(found.velocities, axis=1)
     assert (speeds * limits.paces[0](found.coordinates, None) <= 1).all()
@@ -74,14 +80,14 @@ def test_a_start_is_kept_along_the_path_and_slowed_down_where_it_is_too_fast():
     u = straight[-1] / np.linalg.norm(straight[-1])
     across = np.cross(u, [0, 0, 1])
     for speed, kept in ((0.3, 0.3), (-0.2, 0.0), (50.0, None)):
-        first = ramped(straight, zones(straight), Rate(100), speed * u + 0.4 * across)
+        first = ramped(straight, 100, speed * u + 0.4 * across)
         along = float(first.velocities[0] @ u)
         if kept is not None:
             assert along == pytest.approx(kept, abs=1e-9)
         else:
             share = np.abs(first.velocities[0]) / LIMITS.velocity
             assert 0.8 < share.max() <= 1
-    near = ramped(straight[:2], zones(straight[:2]), Rate(1000), 50.0 * u)
+    near = ramped(straight[:2], 1000, 50.0 * u)
     length = np.linalg.norm(straight[1])
     gain = 0.97 * (LIMITS.acceleration / 2 / u).min()  # by half of the limits, from the end back
     assert float(near.velocities[0] @ u) == pytest.approx(np.sqrt(2 * gain * length), rel=1e-6)
@@ -90,12 +96,27 @@ def test_a_start_is_kept_along_the_path_and_slowed_down_where_it_is_too_fast():
 def test_a_reversal_rests_and_equal_points_are_one_sample():
     there = np.linspace(0, 0.4, 9)[:, None] * np.array([[1.0, 0.5, 0.2]])
     both = np.concatenate([there, there[::-1]])
-    found = ramped(both, zones(both), Rate(500))
+    found = ramped(both, 500)
     turn = int(np.argmax(found.coordinates[:, 0]))
     assert np.abs(found.velocities[turn]).max() < 0.02
     assert found.coordinates[-1] == pytest.approx(there[0])
-    still = ramped(np.ones((3, 3)), zones(np.ones((3, 3))), Rate(500))
-    assert len(still.times) == 1
+    still = Ramped(np.ones((3, 3)), zones(np.ones((3, 3))))
+    assert still.duration == 0
+    np.testing.assert_array_equal(still.at(np.array([0.0, 0.1])).coordinates, np.ones((2, 3)))
+
+
+def test_single_times_are_those_of_all_and_after_the_end_it_rests():
+    there = walk(2)
+    points = np.concatenate([there, there[::-1]])  # two motions with a rest between them
+    motion = Ramped(points, zones(points))
+    times = np.linspace(0, motion.duration + 0.5, 101)
+    all_at_once = motion.at(times)
+    for k, t in enumerate(times):
+        row, coordinates = motion.now(t)
+        assert row == all_at_once.rows[k]
+        np.testing.assert_array_equal(coordinates, all_at_once.coordinates[k])
+    ended = times >= motion.duration
+    np.testing.assert_allclose(all_at_once.coordinates[ended], points[-1:].repeat(ended.sum(), 0))
 
 
 def test_the_squared_speed_is_linear_between_points_of_the_grid():

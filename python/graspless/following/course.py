@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import TaskError
 from ..timing import settings
-from ..timing.ramps import ramped
+from ..timing.ramps import Ramped
 from ..timing.rates import Rate
 from . import plane
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
 STRAIGHT = 0.7  # cosine between two velocities below which a motion comes to rest between them
 _SHORTEST = 0.1  # of a transition [s]
+_LONGEST = 10_000.0  # segment [s]
+_UNUSED = 1.0  # sampling rate: segments are not sampled
 _SHARE = 0.75  # of the velocity limits; corrections take the rest
 
 
@@ -36,10 +39,13 @@ class Course:
         Place of the object at each row, in the plane of the support.
     zones : list of timing.limits.Zone
         Limits of its rows.
-    rate : float
-        Samples per second [1/s].
     q, velocity : array [dof], optional
         State in which the segment begins; by default at rest at its first row.
+
+    Raises
+    ------
+    TaskError
+        The limits are so low that the segment would take hours.
     """
 
     def __init__(
@@ -47,19 +53,25 @@ class Course:
         segment: Any,
         places: Matrix,
         zones: Sequence[Zone],
-        rate: float,
         q: Matrix | None = None,
         velocity: Matrix | None = None,
     ) -> None:
         self.name = str(segment.name)
         self.places = places
         rows = np.asarray(segment.positions)
-        self._clip = ramped(rows, zones, Rate(rate), velocity)
+        self._timed = Ramped(rows, zones, velocity)
+        if not self._timed.duration <= _LONGEST:
+            raise TaskError(
+                f"{self.name}: takes {self._timed.duration:.3g} s, more than {_LONGEST:g}: "
+                "max_velocity, max_acceleration or contact_speed should be more"
+            )
         self.clock, self.rate = 0.0, 1.0
+        self._now = 0.0, self._timed.now(0.0)  # the last time asked for, with row and joints
         self._since = 0.0
         none = np.zeros(rows.shape[1])
-        self._offset = none if q is None else q - self._clip.coordinates[0]
-        self._drift = none if velocity is None else velocity - self._clip.velocities[0]
+        self._offset = none if q is None else q - self._now[1][1]
+        start = self._timed.at(np.zeros(1)).velocities[0]
+        self._drift = none if velocity is None else velocity - start
         acceleration = np.min([zone.limits.acceleration for zone in zones], axis=0)
         fades = 4 * np.abs(self._drift) / acceleration
         shifts = np.sqrt(6 * np.abs(self._offset) / acceleration)
@@ -68,7 +80,7 @@ class Course:
     @property
     def has_ended(self) -> bool:
         """True if the last row is reached."""
-        return self.clock >= self._clip.times[-1] and self._since >= self._fades * self.differs
+        return self.clock >= self._timed.duration and self._since >= self._fades * self.differs
 
     @property
     def differs(self) -> bool:
@@ -80,18 +92,16 @@ class Course:
         step = seconds / braking
         before = self.rate
         self.rate += float(np.clip(rate - self.rate, -step, step))
-        self.clock = min(
-            self.clock + seconds * (before + self.rate) / 2, float(self._clip.times[-1])
-        )
+        self.clock = min(self.clock + seconds * (before + self.rate) / 2, self._timed.duration)
         self._since += seconds
 
     def position(self, ahead: float = 0.0) -> Matrix:
         """Returns the joints [dof] now, or `ahead` seconds from now."""
-        return self._mixed(self._clip.coordinates, ahead) + self._left(ahead)
+        return self._at(self.clock + ahead)[1] + self._left(ahead)
 
     def place(self, ahead: float = 0.0) -> Matrix:
         """Returns the planned place [3] of the object now, or `ahead` seconds from now."""
-        row = float(self._mixed(self._clip.rows[:, None], ahead)[0])
+        row = self._at(self.clock + ahead)[0]
         before = min(int(row), len(self.places) - 1)
         after, t = min(before + 1, len(self.places) - 1), row - before
         a, b = self.places[before], self.places[after]
@@ -113,20 +123,15 @@ class Course:
         left: Matrix = offset + self._drift * since * (1 - x) ** 2
         return left
 
-    def _mixed(self, values: Matrix, ahead: float) -> Matrix:
-        times, t = self._clip.times, self.clock + ahead
-        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, len(times) - 1))
-        if k == len(times) - 1:
-            last: Matrix = values[-1]
-            return last
-        part = (t - times[k]) / (times[k + 1] - times[k])
-        mixed: Matrix = (1 - part) * values[k] + part * values[k + 1]
-        return mixed
+    def _at(self, t: float) -> tuple[float, Matrix]:
+        """Returns row and joints [dof] at a time [s]. Most calls are for the time of the last."""
+        if self._now[0] != t:
+            self._now = t, self._timed.now(t)
+        return self._now[1]
 
 
 def limits_of(
     robot: Robot,
-    rate: float,
     max_velocity: PerJoint | None,
     max_acceleration: PerJoint | None,
     max_jerk: PerJoint | None,
@@ -140,7 +145,7 @@ def limits_of(
         contact_speed = settings.require_positive("contact_speed", contact_speed)
     velocity = _SHARE * velocity
     return settings.Settings(
-        robot, velocity, acceleration, jerk, contact_speed, Rate(rate), settings.PAUSE
+        robot, velocity, acceleration, jerk, contact_speed, Rate(_UNUSED), settings.PAUSE
     )
 
 

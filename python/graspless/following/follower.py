@@ -76,9 +76,7 @@ class Follower(Pursuit):
         if not isinstance(chosen, Settings):
             raise TaskError(f"settings: {chosen!r}: should be following.Settings")
         limits = max_velocity, max_acceleration, max_jerk
-        super().__init__(
-            found, chosen, limits_of(problem.robot, chosen.rate, *limits, contact_speed)
-        )
+        super().__init__(found, chosen, limits_of(problem.robot, *limits, contact_speed))
         self._watch = Watch(problem.robot, self._hand.arm, chosen)
         self._looked = -np.inf  # time since when it waits for poses at rest [s]
 

@@ -74,7 +74,7 @@ class Motion:
         """Goes on with another segment, at its first row or at q [dof] with a velocity [dof]."""
         places = np.array([self._hand.place(X) for X in segment.object_poses])
         zones = zones_of(segment, touch(self._problem, segment, self._limits), self._limits)
-        self.course = Course(segment, places, zones, self._limits.rate.hertz, q, velocity)
+        self.course = Course(segment, places, zones, q, velocity)
 
     def command(self, seconds: float) -> Matrix:
         """Sets the target, some seconds after the last one; returns its velocity [dof]."""

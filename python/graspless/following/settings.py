@@ -26,7 +26,6 @@ _RANGES = {
     "brake_seconds": (0.02, 10.0),
     "lift": (1e-3, 1.0),
     "joint_tolerance": (1e-3, 3.2),
-    "rate": (1.0, 10_000.0),
     **dict.fromkeys(("plan_seconds", "resume_seconds", "search_seconds"), (1e-9, math.inf)),
     **dict.fromkeys(("look_seconds", "settle_seconds", "settle_most", "between"), (0, math.inf)),
     **dict.fromkeys(("blind_seconds", "lost_seconds", "joint_seconds"), (0, math.inf)),
@@ -92,8 +91,6 @@ class Settings:
         Part of them in one update [s]. A search that ends without a plan goes on in the next
         update, with another seed and from the state of then. Its part doubles every time at rest,
         and every fourth time otherwise.
-    rate : float
-        Samples of a timed segment per second [1/s].
 
     Raises
     ------
@@ -132,7 +129,6 @@ class Settings:
     plan_seconds: float = 2.0
     resume_seconds: float = 0.15
     search_seconds: float = 0.004
-    rate: float = 200.0
 
     def __post_init__(self) -> None:
         if not isinstance(self.noise, Noise):

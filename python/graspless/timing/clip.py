@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from ..frames import Matrix
     from .limits import Zone
-    from .motion import Motion, Ramps
+    from .motion import Motion
     from .rates import Rate
 
 
@@ -102,7 +102,7 @@ def joined(parts: list[Clip]) -> Clip:
 
 
 def sampled(
-    motion: Motion | Ramps, start: int, rate: Rate, marks: Mapping[int, float] | None = None
+    motion: Motion, start: int, rate: Rate, marks: Mapping[int, float] | None = None
 ) -> Clip:
     """Returns the samples of a motion along a path whose first row is `start`.
 

@@ -110,14 +110,18 @@ class Ramps:
         """Duration [s]."""
         return float(self.times[-1])
 
+    @cached_property
+    def _slopes(self) -> Matrix:
+        return np.diff(self.speeds**2) / (2 * np.diff(self.grid))
+
     def at(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
         """Returns position, speed and acceleration along the path [N] at times `t` [N] [s]."""
         t = np.clip(t, 0.0, self.duration)
         k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.grid) - 2)
         since = t - self.times[k]
-        slopes = np.diff(self.speeds**2) / (2 * np.diff(self.grid))
-        s = self.grid[k] + self.speeds[k] * since + slopes[k] * since**2 / 2
-        return s.clip(0.0, self.path.length), self.speeds[k] + slopes[k] * since, slopes[k]
+        slopes = self._slopes[k]
+        s = self.grid[k] + self.speeds[k] * since + slopes * since**2 / 2
+        return s.clip(0.0, self.path.length), self.speeds[k] + slopes * since, slopes
 
     def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix]:
         """Returns coordinates, velocities and accelerations [N, n] at times `t` [N] [s]."""

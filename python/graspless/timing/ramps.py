@@ -10,11 +10,13 @@ a hundred times as long. The jerk is not bounded here.
 
 from __future__ import annotations
 
+from bisect import bisect_right
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .clip import Clip, joined, sampled, still
+from .clip import Clip, still
 from .limits import bounds, tolerances
 from .motion import Ramps
 from .path import rounded, stretches
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from .limits import Zone
     from .path import Path
-    from .rates import Rate
 
 
 _NEAR = 1e-7  # distance of points that count as one, relative to the path's length
@@ -64,20 +65,58 @@ def ramps(path: Path, zones: Sequence[Zone], speed: float = 0.0) -> Ramps:
     return Ramps(path, grid, speeds, times)
 
 
-def ramped(
-    points: Matrix, zones: Sequence[Zone], rate: Rate, velocity: Matrix | None = None
-) -> Clip:
-    """Returns a motion through points [N, n], sampled at `rate`: as `clip` does, but quickly.
+class Ramped:
+    """Motion through points as that of `clip`, but found quickly, and known at any time.
 
-    With a `velocity` [n] it does not start from rest, but with as much of that velocity's part
-    along the first points as the limits allow.
+    Parameters
+    ----------
+    points : array [N, n]
+    zones : sequence of Zone
+        Limits of the points.
+    velocity : array [n], optional
+        The motion does not start from rest, but with as much of this velocity's part along the
+        first points as the limits allow.
+
+    Attributes
+    ----------
+    duration : float
+        Time that it takes [s].
     """
-    parts: list[Clip] = []
-    for rows in stretches(points):
-        within = [part for zone in zones if (part := zone.within(rows))]
-        path = rounded(points[rows], tolerances(within, points[rows].shape))
-        if path is not None:
-            is_first = velocity is not None and not parts
-            speed = max(0.0, float(velocity @ path(np.zeros(1), 1)[0])) if is_first else 0.0
-            parts.append(sampled(ramps(path, within, speed), rows.start, rate))
-    return joined(parts) if parts else still(points)
+
+    def __init__(
+        self, points: Matrix, zones: Sequence[Zone], velocity: Matrix | None = None
+    ) -> None:
+        self._still = still(points)
+        self._parts: list[tuple[int, Ramps]] = []  # with the first row of each
+        for rows in stretches(points):
+            within = [part for zone in zones if (part := zone.within(rows))]
+            path = rounded(points[rows], tolerances(within, points[rows].shape))
+            if path is not None:
+                is_first = velocity is not None and not self._parts
+                speed = max(0.0, float(velocity @ path(np.zeros(1), 1)[0])) if is_first else 0.0
+                self._parts.append((rows.start, ramps(path, within, speed)))
+        *self._starts, self.duration = accumulate((m.duration for _, m in self._parts), initial=0.0)
+
+    def at(self, times: Matrix) -> Clip:
+        """Returns the motion at increasing times [N] [s]; after its end it rests."""
+        if not self._parts:
+            rest, none = self._still, np.zeros(len(times), int)
+            nothing = rest.velocities[none]
+            return Clip(times, rest.rows[none], rest.coordinates[none], nothing, nothing)
+        within = np.searchsorted(self._starts, times, side="right") - 1
+        pieces = [self._piece(k, times[within == k]) for k in np.unique(within)]
+        return Clip(times, *(np.concatenate(values) for values in zip(*pieces, strict=True)))
+
+    def now(self, t: float) -> tuple[float, Matrix]:
+        """Returns row and coordinates [n] at a time [s], as `at` does, but quickly."""
+        if not self._parts:
+            return float(self._still.rows[0]), self._still.coordinates[0]
+        k = max(bisect_right(self._starts, t) - 1, 0)
+        first, part = self._parts[k]
+        s = part.at(np.array([t - self._starts[k]]))[0]
+        return float(first + part.path.row(s)[0]), part.path(s)[0]
+
+    def _piece(self, k: int, times: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+        first, part = self._parts[k]
+        t = times - self._starts[k]
+        return first + part.path.row(part.at(t)[0]), *part.coordinates(t)
