@@ -3,6 +3,9 @@
 #include "conversions.hpp"
 
 #include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace graspless::bindings {
@@ -100,11 +103,22 @@ Eigen::Matrix3Xd to_points3(const Array& rows, const std::string& name) {
   return to_columns<3>(rows, name);
 }
 
-Eigen::Matrix3Xi to_triangles(const Indices& rows, const std::string& name) {
+Eigen::Matrix3Xi to_triangles(const Array& rows, const std::string& name) {
   if (rows.ndim() != 2 || rows.shape(1) != 3) {
     refuse_shape(rows, name, "(M, 3)");
   }
-  return Eigen::Map<const Eigen::Matrix3Xi>(rows.data(), 3, rows.shape(0));
+  const Eigen::Map<const Eigen::Matrix3Xd> values(rows.data(), 3, rows.shape(0));
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double value = values.data()[i];
+    if (value >= 0 && value <= std::numeric_limits<int>::max() && value == std::floor(value)) {
+      continue;
+    }
+    std::ostringstream fault;
+    fault << name << "[" << i / 3 << "][" << i % 3 << "] is " << std::setprecision(15) << value
+          << "; it must be the index of a vertex, from 0";
+    throw std::invalid_argument(fault.str());
+  }
+  return values.cast<int>();
 }
 
 Eigen::Isometry3d to_pose(const Array& X, const std::string& name) {

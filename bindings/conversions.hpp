@@ -26,7 +26,6 @@ namespace graspless::bindings {
 namespace py = pybind11;
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Rows2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -42,7 +41,8 @@ Eigen::Vector3d to_vector3(const Array& values, const std::string& name);
 Eigen::Matrix3d to_matrix3(const Array& rows, const std::string& name);
 Eigen::Matrix2Xd to_points2(const Array& rows, const std::string& name);
 Eigen::Matrix3Xd to_points3(const Array& rows, const std::string& name);
-Eigen::Matrix3Xi to_triangles(const Indices& rows, const std::string& name);
+/// Throws unless all values are whole numbers that an int holds: a conversion would wrap or round.
+Eigen::Matrix3Xi to_triangles(const Array& rows, const std::string& name);
 /// Throws unless X is a rigid transform (to 1e-6); its rotation is made orthonormal.
 Eigen::Isometry3d to_pose(const Array& X, const std::string& name);
 Poses to_poses(const Array& X, const std::string& name);

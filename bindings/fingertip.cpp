@@ -67,7 +67,7 @@ geometry::Mesh to_mesh(const py::object& given) {
         "mesh must be a geometry.Mesh, a trimesh.Trimesh or a pair (vertices, triangles)");
   }
   const Array rows = Array::ensure(vertices);
-  const Indices faces = Indices::ensure(triangles);
+  const Array faces = Array::ensure(triangles);
   if (!rows || !faces) {
     PyErr_Clear();
     throw std::invalid_argument(

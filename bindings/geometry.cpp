@@ -100,7 +100,7 @@ void bind_shapes(py::module_& m) {
                    "A triangle surface. Only the surface collides, so a body wholly inside does "
                    "not touch it.\n\n"
                    "A closed convex mesh is the exception: it collides as a solid.")
-      .def(py::init([](const Array& vertices, const Indices& triangles) {
+      .def(py::init([](const Array& vertices, const Array& triangles) {
              return validated(Mesh{to_points3(vertices, "mesh vertices"),
                                    to_triangles(triangles, "mesh triangles")},
                               "mesh");

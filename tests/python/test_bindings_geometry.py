@@ -66,6 +66,13 @@ def test_grid_and_outline_are_rows():
         (lambda: Capsule(0.1, np.nan), "capsule"),
         (lambda: Convex(np.zeros((4, 3))), "convex"),
         (lambda: Mesh(np.eye(3), [[0, 1, 3]]), "mesh"),
+        (
+            lambda: Mesh(np.eye(3), np.array([[0, 1, 2]], np.uint64) + np.uint64(2**32)),
+            r"mesh triangles\[0\]\[0\] is 4294967296; it must be the index of a vertex, from 0",
+        ),
+        (lambda: Mesh(np.eye(3), [[0, 1, 1.4]]), r"mesh triangles\[0\]\[2\] is 1.4;"),
+        (lambda: Mesh(np.eye(3), [[0, 1, -1]]), r"mesh triangles\[0\]\[2\] is -1;"),
+        (lambda: Mesh(np.eye(3), [[0, 1, np.nan]]), r"mesh triangles\[0\]\[2\] is nan;"),
         (lambda: PlacedShape(Sphere(1), NOT_RIGID), "X_BG is not a rigid transform"),
         (lambda: PlacedShape(Sphere(1), np.eye(3)), r"X_BG has shape \(3, 3\)"),
         (lambda: Band(Polygon(SQUARE), -1), "width"),

@@ -79,7 +79,7 @@ class Mesh:
     
     A closed convex mesh is the exception: it collides as a solid.
     """
-    def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], triangles: typing.Annotated[numpy.typing.ArrayLike, numpy.int32]) -> None:
+    def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], triangles: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
         vertices: (N, 3) [m]. triangles: (M, 3) vertex indices.
         """
