@@ -11,6 +11,7 @@ import pytest
 
 import graspless
 from graspless import TaskError
+from graspless.errors import explain
 from graspless.tasks import task_from_dict
 from graspless.tasks.reading import parse_yaml
 from tasks_common import GOOD, changed, fault, run
@@ -49,6 +50,15 @@ def test_values_that_no_field_can_have(write, capsys, change, what):
     assert f"task.yaml{'' if what[0] == 'F' else ':' + what.partition(':')[0]}" in err
     assert what in err
     fault(path)
+
+
+@pytest.mark.parametrize("folders", [10, 1000])
+def test_the_end_of_a_long_path_is_shown(folders):
+    error = OSError(2, "No such file or directory", "a_folder/" * folders + "wrong.stl")
+    told = explain(error)
+    assert told.endswith("a_folder/wrong.stl': No such file or directory")
+    assert told.startswith("'a_folder/")
+    assert len(told) < 300
 
 
 def test_box_too_large_for_any_room(write):
