@@ -108,6 +108,8 @@ class Scene:
     def add_object(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape]) -> int:
         """
         Adds a movable body that no link may touch. Returns its index in the world.
+        
+        It is tested against obstacles and other objects only where `world.add_pair` says so.
         """
     def add_obstacle(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., touches_base: bool = True) -> int:
         """
