@@ -348,6 +348,50 @@ def test_a_slide_that_stays_blind_is_given_up(plan):
     assert held.status == "stopped"
 
 
+REFUSED = {
+    "a list": (lambda X: {"pose": [*X[:3, 3], 0, 0, 0, 1]}, "not_a_pose"),
+    "transposed": (lambda X: {"pose": X.T}, "not_a_pose"),
+    "flat": (lambda X: {"pose": X, "covariance": np.eye(6).ravel()}, "not_a_covariance"),
+    "of zeros": (lambda X: {"pose": X, "covariance": np.zeros((6, 6))}, "not_a_covariance"),
+    "no age": (lambda X: {"pose": X, "age": None}, "bad_age"),
+    "late": (lambda X: {"pose": X, "age": 1.5}, "late"),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_a_camera_whose_poses_are_all_refused_is_not_followed_blindly(plan, name):
+    given, verdict = REFUSED[name]
+    world = World(plan, camera=0)
+    start = world.q
+    while world.step(**given(world.X_WO)).status != "stopped":
+        assert world.t < 9
+    statuses = [target.status for target in world.targets]
+    assert list(dict.fromkeys(statuses)) == ["looking", "waiting", "stopped"]
+    assert {target.pose for target in world.targets} == {verdict}
+    looked = statuses.count("looking") / world.rate
+    assert looked == pytest.approx(Settings().blind_seconds, abs=0.05)
+    assert world.targets[-1].reason == f"no usable pose for 5.0 s; the last one was {verdict}"
+    np.testing.assert_array_equal(world.q, start)
+
+
+def test_a_camera_that_comes_to_its_senses_is_used(plan):
+    world = World(plan, camera=0)
+    for _ in range(150):
+        target = world.step(pose=world.X_WO[:3])
+    assert (target.status, target.phase) == ("waiting", "approach")
+    world.camera = 2
+    assert world.run().status == "done"
+
+
+def test_a_slide_does_not_go_on_with_poses_that_are_refused_from_the_middle_on(plan):
+    world = World(plan, camera=0)
+    world.run(lambda target: target.phase == "press")  # blindly, as there was none
+    while world.step(pose=world.X_WO.T).status != "stopped":
+        assert world.t < 90
+    assert world.targets[-1].phase == "slide"
+    assert world.targets[-1].reason.endswith("; the last one was not_a_pose")
+
+
 def test_an_object_that_falls_ends_the_motion(plan):
     world = World(plan, **CAMERA)
     world.run(lambda target: target.phase == "slide")
@@ -383,7 +427,14 @@ POSES = {
         "not_a_covariance",
     ),
     "covariance nan": (lambda X: {"pose": X, "covariance": np.nan * np.eye(6)}, "not_a_covariance"),
+    "asymmetric by rounding": (
+        lambda X: {"pose": X, "covariance": 1e-6 * (np.eye(6) + np.triu(np.full((6, 6), 1e-4), 1))},
+        "used",
+    ),
     "age below 0": (lambda X: {"pose": X, "age": -0.1}, "bad_age"),
+    "age of a clock ahead": (lambda X: {"pose": X, "age": -0.004}, "used"),
+    "age of an array": (lambda X: {"pose": X, "age": np.array(0.0)}, "used"),
+    "age true": (lambda X: {"pose": X, "age": True}, "bad_age"),
     "age nan": (lambda X: {"pose": X, "age": np.nan}, "bad_age"),
     "age of text": (lambda X: {"pose": X, "age": "old"}, "bad_age"),
     "late": (lambda X: {"pose": X, "age": 5.0}, "late"),
@@ -441,7 +492,27 @@ def test_joints_that_do_not_match_stop_the_motion(plan, name):
     for _ in range(60):
         target = world.step(q=given)
     assert np.abs(target.velocity).max() == 0
-    assert World(plan).step(q=given).status == "stopped"  # at the start: move the robot there first
+
+
+@pytest.mark.parametrize("name", JOINTS)
+def test_a_first_reading_may_be_missing_but_not_far(plan, name):
+    """An arm that is elsewhere would jump to its target."""
+    given, reason = JOINTS[name]
+    world = World(plan)
+    target = world.step(q=given)
+    assert target.status == ("stopped" if name == "elsewhere" else "waiting")
+    assert re.match(reason, target.reason)
+    if name == "elsewhere":
+        return
+    assert world.step().status == "looking"
+    late = World(plan)
+    late.step(q=given)
+    assert late.step(q=np.full(8, 1.0)).status == "stopped"
+    while world.step(q=given).status == "waiting":
+        assert world.t < 1
+    assert world.targets[-1].status == "stopped"
+    waited = [target.status for target in world.targets].count("waiting") / world.rate
+    assert waited == pytest.approx(Settings().joint_seconds, abs=0.05)
 
 
 @pytest.mark.parametrize("t", [None, "now", np.nan, np.inf, -1.0, 0.0])

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .clock import number
+
 if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Problem
@@ -18,6 +20,8 @@ TILT = 0.35  # of an object beyond which it does not lie on its support [rad], u
 HEIGHT = 0.02  # above or below its support, the same; and of what a roll of it lifts [m]
 OUTSIDE = 0.02  # of its centre of mass beyond the support's edge, the same [m]
 _ORTHOGONAL = 1e-3  # tolerance of a rotation
+_SYMMETRIC = 1e-3  # tolerance of a covariance, as of a correlation
+_AHEAD = 0.005  # of the loop's clock that the camera's may be: an age below 0 counts as 0 then [s]
 
 
 class Camera:
@@ -29,13 +33,19 @@ class Camera:
         self._com = np.append(problem.object.com, 1.0)
         self._outline = np.array(problem.object.outline.vertices)
         self._newest = -np.inf
-        self.used = 0  # poses since the last forget()
-        self.last = -np.inf  # time at which a pose was used last
-        self.off = 0  # successive poses of an object that is off its support
+        self.forget()
 
     def forget(self) -> None:
         """Counts poses anew."""
-        self.used = self.off = 0
+        self.used = 0
+        self.since = -np.inf  # time at which a pose was used last, or refused first if none was
+        self.refused = ""  # verdict on the last pose, if it was not used
+        self.off = 0  # successive poses of an object that is off its support
+
+    @property
+    def is_failing(self) -> bool:
+        """True if poses were given, but none could be used."""
+        return bool(self.refused) and not self.used
 
     def see(
         self, t: float, pose: Any, covariance: Any, age: Any, lag: float, estimate: Estimate
@@ -44,16 +54,28 @@ class Camera:
 
         The object comes `lag` [s] after the motions that the estimate was told.
         """
+        verdict = self._verdict(t, pose, covariance, age, lag, estimate)
+        is_used = verdict in ("used", "moved")
+        if is_used or self.since == -np.inf:
+            self.since = t
+        self.used += is_used
+        self.refused = "" if is_used else verdict
+        return verdict
+
+    def _verdict(
+        self, t: float, pose: Any, covariance: Any, age: Any, lag: float, estimate: Estimate
+    ) -> str:
         X_WO, R = _pose(pose), _covariance(covariance)
         if X_WO is None:
             return "not_a_pose"
         if R is None:
             return "not_a_covariance"
-        if not isinstance(age, (int, float, np.number)) or not 0 <= age < np.inf:
+        seconds, fault = number(age)
+        if fault or seconds < -_AHEAD:
             return "bad_age"
-        if age > estimate.memory:
+        if seconds > estimate.memory:
             return "late"
-        taken = t - float(age)
+        taken = t - max(seconds, 0.0)
         if taken <= self._newest:
             return "out_of_order"
         X_SO = self._hand.X_SW @ X_WO
@@ -64,8 +86,7 @@ class Camera:
         seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
         verdict = estimate.measure(taken - lag, seen, self._flat(R))
         if verdict in ("used", "moved"):
-            self._newest, self.last, self.off = taken, t, 0
-            self.used += 1
+            self._newest, self.off = taken, 0
         return verdict
 
     def _off(self, X_SO: Matrix) -> str:
@@ -96,7 +117,7 @@ class Camera:
 def _pose(given: Any) -> Matrix | None:
     try:
         X = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     if X.shape != (4, 4) or not np.isfinite(X).all():
         return None
@@ -111,10 +132,12 @@ def _covariance(given: Any) -> Matrix | None:
         return np.zeros((0, 0))
     try:
         R = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     if R.shape != (6, 6) or not np.isfinite(R).all():
         return None
-    if np.abs(R - R.T).max() > 1e-9 + 1e-6 * np.abs(R).max():
+    spread = np.sqrt(np.abs(np.diag(R)))
+    if (np.abs(R / 2 - R.T / 2) > _SYMMETRIC / 2 * np.outer(spread, spread)).any():
         return None
+    R = R / 2 + R.T / 2
     return R if np.linalg.eigvalsh(R).min() > 0 else None

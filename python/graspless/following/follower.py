@@ -4,17 +4,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
 from ..errors import TaskError
 from ..plan_files import as_motion, as_plan
+from .clock import Clock
 from .course import limits_of
 from .deviation import IN_CONTACT
 from .pursuit import ELSEWHERE, HOPELESS, RETREAT, Pursuit
 from .settings import Settings, Target
-from .watch import Watch, is_time
+from .watch import Watch, without_pose
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -53,6 +54,11 @@ class Follower(Pursuit):
     ------
     TaskError
         The plan is not a solved slide plan that ends with a grasp, or a limit is not positive.
+
+    Notes
+    -----
+    A follower is one motion in progress. It cannot be copied or pickled, which is a TypeError, and
+    not be used by several threads at once.
     """
 
     def __init__(
@@ -78,7 +84,12 @@ class Follower(Pursuit):
         limits = max_velocity, max_acceleration, max_jerk
         super().__init__(found, chosen, limits_of(problem.robot, *limits, contact_speed))
         self._watch = Watch(problem.robot, self._hand.arm, chosen)
+        self._clock = Clock(chosen.joint_seconds)
         self._looked = -np.inf  # time since when it waits for poses at rest [s]
+        self._is_held = False  # the clock was lost: the targets do not move any more
+
+    def __reduce_ex__(self, protocol: Any) -> NoReturn:
+        raise TypeError("a Follower cannot be copied or pickled: make another one of its plan")
 
     def update(
         self, t: float, q: Any, pose: Any = None, covariance: Any = None, age: float = 0.0
@@ -88,7 +99,8 @@ class Follower(Pursuit):
         Parameters
         ----------
         t : float
-            Time, increasing from call to call [s].
+            Time, increasing from call to call [s]. Where it does not, or jumps by more than 1 s,
+            nothing moves in this call. The next one may go on from there.
         q : array [dof]
             Measured joints, in the order of the plan's joint_names [rad or m].
         pose : array [4, 4], optional
@@ -97,7 +109,7 @@ class Follower(Pursuit):
             Covariance of its position and rotation vector in the world [m^2, rad^2]. Default: that
             of settings.noise.
         age : float
-            Time that has passed since the pose was measured [s].
+            Time that has passed since the pose was measured [s]. Down to -0.005 it counts as 0.
         """
         try:
             return self._update(t, q, pose, covariance, age)
@@ -106,12 +118,11 @@ class Follower(Pursuit):
             return self._target("none", np.zeros_like(self._motion.target))
 
     def _update(self, t: float, q: Any, pose: Any, covariance: Any, age: float) -> Target:
-        if not is_time(t) or t <= self._t:
-            self._reason = f"t: {t}: should be a number above {self._t:g}"
-            return self._target("none", np.zeros_like(self._motion.target))
-        seconds = min(float(t) - self._t, _LONGEST)
-        self._t = float(t)
-        seen = "none"
+        since, fault = self._clock.step(t)
+        if fault:
+            return self._untimed(fault, q, pose)
+        seconds, seen = min(since, _LONGEST), "none"
+        self._t = self._clock.now
         if pose is not None:
             seen = self._camera.see(self._t, pose, covariance, age, self._motion.lag, self.estimate)
         waits = self._waits(q, seconds)
@@ -119,15 +130,28 @@ class Follower(Pursuit):
             self._stop(f"the object is off its support in {_FALLEN} successive poses")
         if self._is_looking:
             self._look(seconds, waits)
-        else:
+        elif seconds and not self._is_held:
             self._move(seconds, waits)
-        return self._target(seen, self._motion.command(seconds), waits)
+        velocity = self._motion.command(0.0 if self._is_held else seconds)
+        return self._target(seen, velocity * (not self._is_held), waits)
+
+    def _untimed(self, fault: str, q: Any, pose: Any) -> Target:
+        """Moves nothing: it is not known how far. The joints are checked nevertheless."""
+        waits, is_lost = self._watch.joints(self._clock.period, q, self._motion.target)
+        if self._clock.is_lost:
+            self._is_held = True
+            self._stop(fault)
+        if is_lost:
+            self._stop(waits)
+        seen = "none" if pose is None else "bad_time"
+        return self._target(seen, np.zeros_like(self._motion.target), fault)
 
     def _waits(self, q: Any, seconds: float) -> str:
         """Returns the reason for which the motion has to wait, or an empty text."""
         waits, is_lost = self._watch.joints(seconds, q, self._motion.target)
-        if not waits and self._course.name in IN_CONTACT:
-            waits, is_lost = self._watch.poses(self._t - self._camera.last)
+        camera, is_failing = self._camera, self._is_looking and self._camera.is_failing
+        if not waits and (is_failing or self._course.name in IN_CONTACT):
+            waits, is_lost = self._watch.poses(self._t - camera.since, camera.refused, is_failing)
         if waits and is_lost:
             self._stop(waits)
         return waits
@@ -138,11 +162,11 @@ class Follower(Pursuit):
         self._correction.move(seconds, self._deviation.pivot, *_NO_STEP)
         if not np.isfinite(self._looked):
             self._looked = self._t
-        waited = self._t - self._looked
-        if waits or self._stopped or (self._camera.used < s.look_poses and waited < s.look_seconds):
+        has_waited = self._t - self._looked >= s.look_seconds and not self._camera.is_failing
+        if waits or self._stopped or not (self._camera.used >= s.look_poses or has_waited):
             return
         if self._course.name == RETREAT and not self._camera.used:
-            self._stop(f"no usable pose in {s.look_seconds:g} s")
+            self._stop(without_pose(f"in {s.look_seconds:g} s", self._camera.refused))
         elif self._course.name == RETREAT or self._deviation.is_large(s):
             self._plan_anew()
         self._is_looking = self._replanner.is_searching

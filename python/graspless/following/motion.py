@@ -51,6 +51,7 @@ class Motion:
         self.lag = window / 2
         self.target = self._aim = q
         self.velocity = np.zeros_like(q)
+        self._rate: Matrix = np.zeros_like(q)  # velocity of the target
         self.correction = Correction(settings)
         self.course: Course
         self.take(first)
@@ -77,11 +78,16 @@ class Motion:
         self.course = Course(segment, places, zones, q, velocity)
 
     def command(self, seconds: float) -> Matrix:
-        """Sets the target, some seconds after the last one; returns its velocity [dof]."""
+        """Sets the target, some seconds after the last one; returns its velocity [dof].
+
+        Both stay where no time has passed.
+        """
+        if seconds == 0:
+            return self._rate
         aim, target = self._aim, self.target
         self._aim = self._hand.shifted(self.base, np.zeros(3), self.correction.height)
         self.velocity = (self._aim - aim) / seconds
         self.lag = self.window / 2 + seconds  # a target is reached when the next one comes
         self.target = self._average.add(seconds, self._aim)
-        velocity: Matrix = (self.target - target) / seconds
-        return velocity
+        self._rate = (self.target - target) / seconds
+        return self._rate

@@ -46,7 +46,8 @@ class Settings:
     look_poses : int
         Poses to see before the arm moves, and after the finger was lifted off.
     look_seconds : float
-        Longest time to wait for them [s]. Without a single pose the plan is followed blindly.
+        Longest time to wait for them [s]. Without a single pose the plan is followed blindly. Where
+        poses were given, but none could be used, it waits on for `lost_seconds`.
     correct, correct_angle : float
         Deviations of the object up to which the path of the hand is shifted in place [m, rad].
         Beyond them the slide is planned anew.
@@ -83,8 +84,8 @@ class Settings:
     joint_tolerance : float
         Largest distance of the arm's joints from their targets [rad; m/10].
     joint_seconds : float
-        Time of larger distances, or of joints that are no numbers, after which the motion is given
-        up [s].
+        Time of larger distances, of joints that are no numbers, or of a clock that does not go on,
+        after which the motion is given up [s]. A first distance that is larger ends it at once.
     plan_seconds, resume_seconds : float
         Longest searches for a new plan: from rest, and without lifting off [s].
     search_seconds : float
@@ -157,7 +158,7 @@ class Target:
     pose : str
         What became of the pose of this update: none was given; used; moved: the object jumped, as
         several poses agree; jumped: unlike the other poses; late; out_of_order; not_a_pose;
-        not_a_covariance; bad_age; off_support; tilted.
+        not_a_covariance; bad_age; off_support; tilted; bad_time: came with a t that is a fault.
     """
 
     position: Matrix

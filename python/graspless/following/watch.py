@@ -23,37 +23,38 @@ class Watch:
         self._names, self._arm = list(robot.joint_names), np.array(arm)
         self._weights = np.asarray(robot.step_weights)
         self._settings = settings
-        self._faulty = np.inf  # time for which the joints have been wrong; at first at once
+        self._faulty = 0.0  # time for which the joints have been wrong [s]
+        self._has_matched = False
 
     def joints(self, seconds: float, q: Any, target: Matrix) -> tuple[str, bool]:
         """Returns what is wrong with measured joints [dof], and True if that has lasted too long.
 
-        `seconds` have passed since the last call. The text is empty if nothing is wrong.
+        `seconds` have passed since the last call. The text is empty if nothing is wrong. An arm
+        that has never been near its target must not go there: that is too long at once.
         """
-        fault = self._fault(q, target, self._settings.joint_tolerance)
-        self._faulty = self._faulty + seconds if fault else 0.0
-        return fault, self._faulty > self._settings.joint_seconds
-
-    def poses(self, seconds: float) -> tuple[str, bool]:
-        """Returns the same for `seconds` without a pose; infinite if there never was one."""
-        s = self._settings
-        if not s.blind_seconds < seconds < np.inf:
+        joints, fault = _joints(q, target)
+        far = "" if fault else self._far(joints, target)
+        if not fault and not far:
+            self._faulty, self._has_matched = 0.0, True
             return "", False
-        return f"no usable pose for {seconds:.1f} s", seconds > s.lost_seconds
+        self._faulty += seconds
+        at_once = bool(far) and not self._has_matched
+        return fault or far, at_once or self._faulty > self._settings.joint_seconds
 
-    def _fault(self, q: Any, target: Matrix, tolerance: float) -> str:
-        """Returns what is wrong with measured joints [dof], or an empty text.
+    def poses(self, seconds: float, refused: str, is_looking: bool) -> tuple[str, bool]:
+        """Returns the same for `seconds` without a usable pose; infinite if none was given.
 
-        The joints of the arm may be off their targets by `tolerance` [rad; m/10].
+        `refused` is the verdict on the last one, or empty.
         """
-        try:
-            joints = np.asarray(q, dtype=float)
-        except (TypeError, ValueError):
-            return "q: should be an array of numbers"
-        if joints.shape != target.shape:
-            return f"q: shape {joints.shape}: should be {target.shape}"
-        if not np.isfinite(joints).all():
-            return "q: should be finite"
+        s = self._settings
+        least = min(s.blind_seconds, s.look_seconds) if is_looking else s.blind_seconds
+        if not least < seconds < np.inf:
+            return "", False
+        return without_pose(f"for {seconds:.1f} s", refused), seconds > s.lost_seconds
+
+    def _far(self, joints: Matrix, target: Matrix) -> str:
+        """Returns the joint of the arm that is farthest from its target, if it is too far."""
+        tolerance = self._settings.joint_tolerance
         off = (np.abs(joints - target) * self._weights)[self._arm]
         worst = int(np.argmax(off))
         if off[worst] > tolerance:
@@ -61,7 +62,17 @@ class Watch:
         return ""
 
 
-def is_time(given: Any) -> bool:
-    """Returns True for a finite number."""
-    is_number = isinstance(given, (int, float, np.number)) and not isinstance(given, bool)
-    return is_number and bool(np.isfinite(given))
+def without_pose(since: str, refused: str) -> str:
+    """Returns the reason of a motion that lacks poses, with the verdict on the last one."""
+    return f"no usable pose {since}" + (f"; the last one was {refused}" if refused else "")
+
+
+def _joints(q: Any, target: Matrix) -> tuple[Matrix, str]:
+    """Returns measured joints [dof] and an empty text, or what is wrong with them."""
+    try:
+        joints = np.asarray(q, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        return target, "q: should be an array of numbers"
+    if joints.shape != target.shape:
+        return target, f"q: shape {joints.shape}: should be {target.shape}"
+    return joints, "" if np.isfinite(joints).all() else "q: should be finite"
