@@ -428,7 +428,7 @@ POSES = {
     ),
     "covariance nan": (lambda X: {"pose": X, "covariance": np.nan * np.eye(6)}, "not_a_covariance"),
     "asymmetric by rounding": (
-        lambda X: {"pose": X, "covariance": 1e-6 * (np.eye(6) + np.triu(np.full((6, 6), 1e-4), 1))},
+        lambda X: {"pose": X, "covariance": 1e-4 * (np.eye(6) + np.triu(np.full((6, 6), 1e-4), 1))},
         "used",
     ),
     "age below 0": (lambda X: {"pose": X, "age": -0.1}, "bad_age"),
