@@ -56,9 +56,8 @@ std::size_t ClearanceCells::find(std::uint64_t key) const {
   return i;
 }
 
-ClearanceCells::Cell& ClearanceCells::root(const Number& number) {
-  const auto key = static_cast<std::uint64_t>(number.x() << 42 | number.y() << 21 | number.z());
-  if (last_root_ >= 0 && key == last_key_) return roots_[static_cast<std::size_t>(last_root_)];
+/// The root of a key that is not the last one.
+ClearanceCells::Cell& ClearanceCells::other_root(std::uint64_t key) {
   if (blocks_.size() > kMaxBlocks || roots_.size() > kMaxRoots) clear();
   if (2 * roots_.size() >= slots_.size()) grow();
   Slot& slot = slots_[find(key)];

@@ -50,9 +50,11 @@ class ClearanceCells {
   }
 
  private:
-  static constexpr int kParts = 4;      // per side of a cell
-  static constexpr int kCellLevel = 2;  // cell = root / 4^2
+  static constexpr int kBits = 2;
+  static constexpr int kParts = 1 << kBits;  // per side of a cell
+  static constexpr int kCellLevel = 2;       // cell = root / 4^2
   static constexpr int kFinestLevel = 3;
+  static constexpr int kFinestParts = 1 << (kBits * kFinestLevel);  // of a root
   static constexpr double kEnough =
       0.3;  // margin beyond the threshold, in units of a cell's uncertainty
   static constexpr double kMostRoots = 1 << 20;
@@ -73,7 +75,12 @@ class ClearanceCells {
 
   template <typename Settled>
   Clearance::Bounds descend(const Eigen::Vector3d& point, int last_level, Settled settled);
-  Cell& root(const Number& number);
+  Cell& root(const Number& number) {
+    const auto key = static_cast<std::uint64_t>(number.x() << 42 | number.y() << 21 | number.z());
+    if (last_root_ >= 0 && key == last_key_) return roots_[static_cast<std::size_t>(last_root_)];
+    return other_root(key);
+  }
+  Cell& other_root(std::uint64_t key);
   std::size_t find(std::uint64_t key) const;
   void clear();
   void grow();
@@ -93,13 +100,24 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
                                           Settled settled) {
   // Truncation equals the floor for positive numbers, and takes a single instruction.
   const Eigen::Vector3d scaled = (point * per_root_).array() + kMostRoots;
-  const Number number = scaled.cast<std::int64_t>();
-  Eigen::Vector3d within = scaled - number.cast<double>();  // of the cell, in [0, 1)
-  double side = root_;
-  Cell* cell = &root(number);
+  // Position in parts of the finest level: from its bits follow those of all levels.
+  const Number finest = (scaled * kFinestParts).cast<std::int64_t>();
+  const auto at_level = [&finest](int axis, int level) {
+    return finest[axis] >> (kBits * (kFinestLevel - level));
+  };
+  Cell* cell = &root({at_level(0, 0), at_level(1, 0), at_level(2, 0)});
+  double side = root_, parts = 1;  // of a cell, and in a root
   int hint = cell->triangle;
-  for (int level = 0;; ++level) {
-    const Eigen::Vector3d from_middle = side * (within.array() - 0.5).matrix();
+  for (int level = 0;; ++level, side /= kParts, parts *= kParts) {
+    const Number number(at_level(0, level), at_level(1, level), at_level(2, level));
+    const Eigen::Vector3d from_middle =
+        side * ((parts * scaled - number.cast<double>()).array() - 0.5).matrix();
+    if (level > 0) {
+      constexpr int kMask = kParts - 1;
+      const auto index =
+          ((number.x() & kMask) * kParts + (number.y() & kMask)) * kParts + (number.z() & kMask);
+      cell = &(*blocks_[static_cast<std::size_t>(cell->parts)])[static_cast<std::size_t>(index)];
+    }
     if (cell->distance < 0) {
       const NearTriangle near = tree_->nearest(point - from_middle, hint);
       cell->distance = static_cast<float>(std::sqrt(near.squared));
@@ -118,12 +136,6 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
       blocks_.push_back(std::make_unique<Block>());
       cell->parts = static_cast<int>(blocks_.size()) - 1;
     }
-    within *= kParts;
-    const Eigen::Vector3i part = within.cast<int>().cwiseMin(kParts - 1);
-    within -= part.cast<double>();
-    side /= kParts;
-    const int index = (part.x() * kParts + part.y()) * kParts + part.z();
-    cell = &(*blocks_[static_cast<std::size_t>(cell->parts)])[static_cast<std::size_t>(index)];
   }
 }
 

@@ -25,7 +25,9 @@ constexpr double kStep = 0.004, kTurn = 0.02;                // [m], [rad]
 class MovingObject {
  public:
   MovingObject(const Problem& problem, const Eigen::VectorXd& q)
-      : spheres_(link_spheres(problem.robot)), clearance_(problem.object.borrow_outer_clearance()) {
+      : spheres_(link_spheres(problem.robot)),
+        proofs_(spheres_.size()),
+        clearance_(problem.object.borrow_outer_clearance()) {
     object_ = world_.add_body("object", problem.object.solid());
     problem.robot.forward(q, X_WL_);
     for (const auto& shape : problem.robot.shapes()) {
@@ -41,8 +43,7 @@ class MovingObject {
     const Eigen::Isometry3d X_OW = X_WO.inverse();
     const auto touching = std::find_if(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
       const auto link = static_cast<std::size_t>(pair.link);
-      const bool may_touch = !is_apart(spheres_[link], X_OW * X_WL_[link], *clearance_);
-      return (may_touch && world_.touches(pair.index)) || world_.swallows(pair.index);
+      return (may_touch(link, X_OW) && world_.touches(pair.index)) || world_.swallows(pair.index);
     });
     if (touching == pairs_.end()) return true;
     std::rotate(pairs_.begin(), touching, touching + 1);  // first in the next test
@@ -53,13 +54,34 @@ class MovingObject {
   struct Pair {
     int link, index;  // of the world
   };
+  /// The spheres of a link prove that it was `apart` [m] from the object, or more, at X_OL.
+  struct Proof {
+    double apart = 0;
+    Eigen::Isometry3d X_OL = Eigen::Isometry3d::Identity();
+  };
+
+  /// False if spheres prove a link apart from the object, here or where they did so last: no point
+  /// of it has come as far since then. The largest singular value of the difference of two
+  /// rotations is its norm / sqrt(2).
+  bool may_touch(std::size_t link, const Eigen::Isometry3d& X_OW) {
+    constexpr double kEnough = 0.008;  // [m]
+    const SphereTree& tree = spheres_[link];
+    Proof& proof = proofs_[link];
+    const Eigen::Isometry3d X_OL = X_OW * X_WL_[link];
+    const double moved = (X_OL * tree[0].p_L - proof.X_OL * tree[0].p_L).norm() +
+                         tree[0].outer * (X_OL.linear() - proof.X_OL.linear()).norm() / M_SQRT2;
+    if (moved >= proof.apart && moved > 0)
+      proof = {distance_by_spheres(tree, X_OL, kEnough, *clearance_), X_OL};
+    return proof.apart <= 0;
+  }
 
   collision::World world_;
   int object_;
   std::vector<Pair> pairs_;
-  std::vector<SphereTree> spheres_;
-  std::shared_ptr<collision::Clearance> clearance_;
+  std::vector<SphereTree> spheres_;  // of each link, as all that follow
+  std::vector<Proof> proofs_;
   robot::Poses X_WL_;
+  std::shared_ptr<collision::Clearance> clearance_;
 };
 
 Eigen::Vector3d random_direction(std::mt19937_64& rng) {

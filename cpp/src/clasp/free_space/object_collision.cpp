@@ -20,21 +20,22 @@ std::vector<std::vector<geometry::PlacedShape>> shapes_of_links(const robot::Rob
 
 }  // namespace
 
-bool is_apart(const SphereTree& tree, const Eigen::Isometry3d& X_OL,
-              collision::Clearance& clearance) {
+double distance_by_spheres(const SphereTree& tree, const Eigen::Isometry3d& X_OL, double enough,
+                           collision::Clearance& clearance) {
   const int count = static_cast<int>(tree.size());
+  double least = enough + kContactMargin;
   for (int i = 0; i < count;) {
     const LinkSphere& node = tree[static_cast<std::size_t>(i)];
     const bool is_leaf = node.next == i + 1;
-    const double enough = node.outer + kContactMargin;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
-    const auto distance =
-        is_leaf ? clearance.bounds(p_O, enough) : clearance.rough_bounds(p_O, enough);
-    const bool is_clear = distance.lower > enough;
-    if (is_leaf && !is_clear) return false;
-    i = is_clear ? node.next : i + 1;
+    const auto distance = is_leaf ? clearance.bounds(p_O, node.outer + kContactMargin)
+                                  : clearance.rough_bounds(p_O, node.outer + least);
+    const double clear = distance.lower - node.outer;
+    if (is_leaf && clear <= kContactMargin) return 0;
+    if (is_leaf) least = std::min(least, clear);
+    i = clear >= least ? node.next : i + 1;
   }
-  return true;
+  return least - kContactMargin;
 }
 
 ObjectCollision::ObjectCollision(const Problem& problem)

@@ -17,9 +17,10 @@
 
 namespace graspless::clasp {
 
-/// True if the spheres of a link prove it apart from a surface. False proves nothing.
-bool is_apart(const SphereTree& tree, const Eigen::Isometry3d& X_OL,
-              collision::Clearance& clearance);
+/// Lower bound on the distance of a link from a surface, by its spheres [m]; 0 if they do not prove
+/// it apart. Not more than `enough`.
+double distance_by_spheres(const SphereTree& tree, const Eigen::Isometry3d& X_OL, double enough,
+                           collision::Clearance& clearance);
 
 /// Checks one link at a time: by bounding spheres if these decide, else by FCL. Not thread-safe.
 class ObjectCollision {
