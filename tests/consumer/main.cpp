@@ -12,7 +12,7 @@ int push_a_block() {
   const auto block = fingertip::Object::box("block", {0.05, 0.1, 0.05}, 1.0);
   const Eigen::Isometry3d X_WO_start(Eigen::Translation3d(0, 0, 0.025));
   const fingertip::Problem problem{block,
-                                   {},
+                                   fingertip::Fingers{},
                                    {fingertip::Plane{}},
                                    {0.5, 0.5},
                                    fingertip::slide_path(X_WO_start, {0.1, 0, 0}, 30)};
