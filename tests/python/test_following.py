@@ -53,6 +53,14 @@ def test_a_world_as_planned_is_followed_to_the_end(plan):
     np.testing.assert_array_equal(world.targets[-1].position, world.targets[-2].position)
 
 
+def test_what_comes_after_the_end_does_not_undo_it(plan):
+    world = World(plan, camera=0)
+    assert world.run().status == "done"
+    for _ in range(300):  # the clock stands still, and the arm is moved by hand
+        target = world.follower.update(world.t, world.q + 0.5)
+        assert (target.status, target.reason) == ("done", "")
+
+
 def test_without_any_pose_the_plan_is_followed_blindly(plan):
     world = World(plan, camera=0)
     assert world.run().status == "done"

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 COARSE, FINE, ORACLE = 0.05, 0.01, 1e-4  # joint steps of samples [rad]
 ORACLE_EDGES = 10  # of each plan
-CLUTTER = "clutter"
+CLUTTER, TRIES = "clutter", 100
 OBJECT = "object -"  # in a condition: the object that rests
 
 
@@ -76,13 +76,15 @@ def clutter(case: Case, plan: Any, rng: np.random.Generator) -> list[Obstacle]:
 def measure_clutter(case: Case, plan: Any, rng: np.random.Generator, counts: Counter[str]) -> None:
     """Counts the edges beside a ball that samples let through and the certificate does not."""
     edges = edges_of(plan)
-    while True:
+    for _ in range(TRIES):
         ball = clutter(case, plan, rng)
         found = case.planner.certify(case.among(ball), plan, case.options)
         doubts = {(d.segment, d.row): d for d in found.doubts if CLUTTER in d.condition}
         beside = [(e, doubts[key]) for e in edges if (key := (e.segment.name, e.row)) in doubts]
         if not any(OBJECT in doubt.condition for _, doubt in beside):
             break  # a ball within the object, which rests there, would be in nobody's way
+    else:
+        return
     for edge, doubt in beside:
         counts[f"clutter: {doubt.verdict}"] += 1
         bodies = case.bodies(ball, edge.segment)

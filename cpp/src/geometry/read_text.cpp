@@ -5,8 +5,8 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 namespace graspless::geometry {
@@ -19,10 +19,11 @@ std::string read_text(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) refuse("is a folder, not a file");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(std::generic_category().message(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (text.bad()) refuse("reading failed");
-  return text.str();
+  std::string text;
+  for (char block[1 << 16]; file.read(block, sizeof block) || file.gcount() > 0;)
+    text.append(block, static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) refuse("reading failed");
+  return text;
 }
 
 }  // namespace graspless::geometry

@@ -71,6 +71,7 @@ std::vector<Doubt> EdgeProver::run() {
   const Stretch whole = stretch(0, static_cast<double>(rows_.size() - 1));
   open_all(whole);
   prove(whole, 0);
+  refute_swallowed();
   std::vector<Doubt> found;
   for (auto& doubt : doubts_) {
     if (doubt) found.push_back(std::move(*doubt));
@@ -96,6 +97,19 @@ void EdgeProver::open_all(const Stretch& whole) {
     return pair.bound_first + pair.bound_last > motion(pair.index, whole) + kMargin;
   };
   open_.erase(std::remove_if(open_.begin(), open_.end(), is_proven), open_.end());
+}
+
+/// Refutes the edges on which a body is inside a closed mesh that it has entered on a doubted edge:
+/// there, nothing touches the surface.
+void EdgeProver::refute_swallowed() {
+  for (std::size_t edge = 0; edge < doubts_.size(); ++edge) {
+    if (!doubts_[edge]) continue;
+    const auto end = static_cast<double>(edge + 1);
+    place(end);
+    for (int i = 0; i < world_.num_pairs(); ++i) {
+      if (world_.swallows(i)) refute(i, end);  // the next edge, too
+    }
+  }
 }
 
 bool EdgeProver::has_companion(int pair) const {

@@ -56,6 +56,7 @@ class EdgeProver {
   void find_motions();
   Stretch stretch(double first, double last) const;
   Eigen::VectorXd motion_per_joint(int pair) const;
+  void refute_swallowed();
   bool has_companion(int pair) const;
   double motion(int pair, const Stretch& stretch) const;
   void open_all(const Stretch& whole);

@@ -159,4 +159,4 @@ class Pursuit:
         self._begin(0)
 
     def _stop(self, reason: str) -> None:
-        self._stopped = self._stopped or reason
+        self._stopped = self._stopped or ("" if self.is_done else reason)

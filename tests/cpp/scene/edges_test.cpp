@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -123,17 +124,22 @@ TEST(EdgeProver, FindsWhatTouchesOnlyBetweenTwoRows) {
   EXPECT_GT(graze(2e-5), 0);
 }
 
-TEST(EdgeProver, FindsABodyThatIsSwallowed) {
-  // A closed box with a dent, around the whole robot.
-  geometry::Mesh room;
-  room.vertices.resize(3, 9);
+/// A closed box with a dent in its top.
+geometry::Mesh dented_box(double half) {
+  geometry::Mesh box;
+  box.vertices.resize(3, 9);
   for (int i = 0; i < 8; ++i)
-    room.vertices.col(i) << (i & 1 ? 5 : -5), (i & 2 ? 5 : -5), (i & 4 ? 5 : -5);
-  room.vertices.col(8) << 0, 0, 4.5;
-  room.triangles.resize(3, 14);
-  room.triangles << 0, 1, 4, 5, 7, 6, 0, 2, 1, 3, 0, 1, 2, 3,  //
-      2, 2, 5, 7, 6, 4, 4, 4, 3, 7, 1, 5, 6, 6,                //
+    box.vertices.col(i) << (i & 1 ? half : -half), (i & 2 ? half : -half), (i & 4 ? half : -half);
+  box.vertices.col(8) << 0, 0, 0.9 * half;
+  box.triangles.resize(3, 14);
+  box.triangles << 0, 1, 4, 5, 7, 6, 0, 2, 1, 3, 0, 1, 2, 3,  //
+      2, 2, 5, 7, 6, 4, 4, 4, 3, 7, 1, 5, 6, 6,               //
       1, 3, 8, 8, 8, 8, 2, 6, 5, 5, 4, 4, 3, 7;
+  return box;
+}
+
+TEST(EdgeProver, FindsABodyThatIsSwallowed) {
+  const geometry::Mesh room = dented_box(5);  // around the whole robot
   for (const double aside : {0.0, 20.0}) {
     Replay replay(robot::wam());
     replay.add({"room", {PlacedShape{room}}, at({aside, 0, 0})});
@@ -144,6 +150,30 @@ TEST(EdgeProver, FindsABodyThatIsSwallowed) {
     const auto doubts = EdgeProver("move", rows, replay, {}).run();
     EXPECT_EQ(doubts.size(), aside == 0 ? 1u : 0u);
     EXPECT_EQ(replay.touching(home).empty(), aside != 0);
+  }
+}
+
+TEST(EdgeProver, DoubtsTheEdgesOnWhichABodyIsInsideAClosedMesh) {
+  Replay replay(robot::wam());
+  const int ball = replay.add({"ball", {PlacedShape{geometry::Sphere{0.002}}}, at({3, 3, 0})});
+  const int box = replay.add({"box", {PlacedShape{dented_box(0.3)}}, at({2, 3, 0})});
+  replay.world().add_pair(ball, box);
+  constexpr double kStep = 0.097;  // of the box, along x; it covers the ball from 2.7 to 3.3
+  const std::vector<VectorXd> rows(21, replay.robot().state("home"));
+  Companion moving;
+  moving.body = box;
+  moving.place = [&](std::size_t edge, double t, const robot::Poses&) {
+    replay.world().set_pose(box, at({2 + kStep * (static_cast<double>(edge) + t), 3, 0}));
+  };
+  moving.length = [](std::size_t, double t0, double t1) { return kStep * (t1 - t0); };
+  std::set<std::size_t> doubted;
+  for (const Doubt& doubt : EdgeProver("move", rows, replay, moving).run()) {
+    EXPECT_EQ(doubt.verdict, Verdict::refuted) << doubt.text();
+    doubted.insert(doubt.row);
+  }
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const double from = 2 + kStep * static_cast<double>(row - 1), to = from + kStep;
+    EXPECT_EQ(doubted.count(row) == 1, to > 2.698 && from < 3.302) << row;
   }
 }
 
