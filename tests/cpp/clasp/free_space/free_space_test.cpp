@@ -128,8 +128,14 @@ TEST_P(FreeSpaceOf, LinksThatAreApartDoNotTouch) {
         const auto index = static_cast<std::size_t>(link);
         const Isometry3d X_OL = problem.X_WO.inverse() * X_WL[index];
         const bool touches = collision.touches_by_fcl(link, X_WL[index]);
-        const bool is_proven = distance_by_spheres(trees[index], X_OL, 0.01, *clearance) > 0;
+        const double bound = distance_by_spheres(trees[index], X_OL, 0.01, *clearance);
+        const bool is_proven = bound > 0;
         EXPECT_FALSE(touches && is_proven) << "problem " << i << ", link " << link;
+        for (int k = 0; k < 6 && is_proven; ++k) {  // no motion by less than the bound leads there
+          const Vector3d shift = (k % 2 == 0 ? bound : -bound) * Vector3d::Unit(k / 2);
+          EXPECT_FALSE(collision.touches_by_fcl(link, Translation3d(shift) * X_WL[index]))
+              << "problem " << i << ", link " << link;
+        }
         apart += is_proven;
         touching += touches;
         ++looked;
