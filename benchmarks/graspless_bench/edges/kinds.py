@@ -74,12 +74,11 @@ class Case:
                 bodies.world.add_pair(held, body)
             return bodies
         if isinstance(p, clasp.Problem):
-            shapes, X_WO = [geometry.PlacedShape(p.object.surface)], p.X_WO
+            shapes = [geometry.PlacedShape(p.object.surface)]
         else:
             bodies.add_obstacle("support", p.support.shapes, p.support.X_WS)
-            poses = getattr(segment, "object_poses", [p.X_WO_start])
-            shapes, X_WO = p.object.shapes, poses[0]
-        bodies.add_obstacle("object", shapes, X_WO, touches_base=False)
+            shapes = p.object.shapes
+        bodies.add_obstacle("object", shapes, segment.object_poses[0], touches_base=False)
         return bodies
 
 

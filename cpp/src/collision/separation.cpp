@@ -194,12 +194,12 @@ class Separation {
 
   /// True if parts of two hulls may be farther apart than the hulls, by more than it costs to see.
   bool can_gain(int i, int j, double known) const {
-    const Hull *of_a = hull(a_, i), *of_b = hull(b_, j);
-    return of_a && of_b && can_gain(*of_a, *of_b, known);
-  }
-  bool can_gain(const Hull& a, const Hull& b, double known) const {
-    if (known >= least_ || known >= enough_ || (a.child < 0 && b.child < 0)) return false;
-    return known < kLarge * ((a.child < 0 ? 0 : a.half.norm()) + (b.child < 0 ? 0 : b.half.norm()));
+    const Hull *a = hull(a_, i), *b = hull(b_, j);
+    if (!a || !b || known >= least_ || known >= enough_ || (a->child < 0 && b->child < 0)) {
+      return false;
+    }
+    return known <
+           kLarge * ((a->child < 0 ? 0 : a->half.norm()) + (b->child < 0 ? 0 : b->half.norm()));
   }
 
   /// Point of the hulls' difference a - b that lies farthest against a direction.

@@ -71,19 +71,19 @@ void World::Impl::place(int body) {
 }
 
 template <typename Visit>
-bool World::Impl::any_shapes(const Pair& pair, std::vector<Witnesses>& witnesses,
-                             Visit visit) const {
+bool World::Impl::any_shapes(const Pair& pair, Visit visit, bool tight) const {
   const auto &shapes_a = bodies[pair.a].solid.data().shapes,
              &shapes_b = bodies[pair.b].solid.data().shapes;
-  witnesses.resize(shapes_a.size() * shapes_b.size());
-  auto between = witnesses.begin();
+  std::vector<Witnesses>& known = tight ? pair.tight_witnesses : pair.witnesses;
+  known.resize(shapes_a.size() * shapes_b.size());
+  auto witnesses = known.begin();
   const Placement* at_a = &placements[first_placement[pair.a]];
   for (const CollisionShape& a : shapes_a) {
     const Placement* at_b = &placements[first_placement[pair.b]];
     for (const CollisionShape& b : shapes_b) {
-      if (visit(a, *at_a, b, *at_b, *between)) return true;
+      if (visit(a, *at_a, b, *at_b, *witnesses)) return true;
       ++at_b;
-      ++between;
+      ++witnesses;
     }
     ++at_a;
   }
@@ -106,28 +106,26 @@ bool World::Impl::is_far(const Pair& pair) const {
 bool World::Impl::touch(const Pair& pair) {
   if (is_far(pair)) return false;
   const double margin = pair.clearance + kMargin;
-  return any_shapes(
-      pair, pair.witnesses,
-      [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses& witnesses) {
-        const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
-        const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
-        if (!overlap(box_a, box_b, pair.shift_W, margin)) return false;
-        if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > margin) return false;
-        if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
-        const bool is_wide = pair.clearance > 0;                        // FCL knows no distances
-        if (is_wide || a.hulls->has_parts() || b.hulls->has_parts()) {  // otherwise FCL is as fast
-          const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
-          if (are_apart(*a.hulls, *b.hulls, X_AB, margin, witnesses)) return false;
-        }
-        return is_wide || fcl_touch(a, at_a, b, at_b, pair.shift_W);
-      });
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                              Witnesses& witnesses) {
+    const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
+    const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
+    if (!overlap(box_a, box_b, pair.shift_W, margin)) return false;
+    if (oriented_bound(a.core, at_a, b.core, at_b, pair.shift_W) > margin) return false;
+    if (a.core.is_exact_segment && b.core.is_exact_segment) return true;
+    const bool is_wide = pair.clearance > 0;                        // FCL knows no distances
+    if (is_wide || a.hulls->has_parts() || b.hulls->has_parts()) {  // otherwise FCL is as fast
+      const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
+      if (are_apart(*a.hulls, *b.hulls, X_AB, margin, witnesses)) return false;
+    }
+    return is_wide || fcl_touch(a, at_a, b, at_b, pair.shift_W);
+  });
 }
 
 bool World::Impl::touch_by_fcl(const Pair& pair) {
   if (!overlap(boxes[pair.a], boxes[pair.b], pair.shift_W)) return false;
   return any_shapes(
-      pair, pair.witnesses,
-      [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses&) {
+      pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses&) {
         const WorldBox box_a{at_a.X_WC.translation(), at_a.half_W};
         const WorldBox box_b{at_b.X_WC.translation(), at_b.half_W};
         return overlap(box_a, box_b, pair.shift_W) && fcl_touch(a, at_a, b, at_b, pair.shift_W);
@@ -152,14 +150,12 @@ bool World::Impl::swallows(const Pair& pair) const {
     }
     return false;
   };
-  return any_shapes(
-      pair, pair.witnesses,
-      [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses&) {
-        if (!a.enclosure && !b.enclosure) return false;
-        const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
-        return (a.enclosure && contains(a, b, X_AB)) ||
-               (b.enclosure && contains(b, a, X_AB.inverse()));
-      });
+  return any_shapes(pair, [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b,
+                              Witnesses&) {
+    if (!a.enclosure && !b.enclosure) return false;
+    const Eigen::Isometry3d X_AB = relative(at_a, at_b, pair.shift_W);
+    return (a.enclosure && contains(a, b, X_AB)) || (b.enclosure && contains(b, a, X_AB.inverse()));
+  });
 }
 
 double World::Impl::bound(const Pair& pair, double enough, bool tight) const {
@@ -167,9 +163,8 @@ double World::Impl::bound(const Pair& pair, double enough, bool tight) const {
   const double gap = box_gap(box_b.middle + pair.shift_W - box_a.middle, box_a.half + box_b.half);
   if (gap >= enough) return gap;
   double least = std::numeric_limits<double>::infinity();
-  auto& witnesses_of_pair = tight ? pair.tight_witnesses : pair.witnesses;
   any_shapes(
-      pair, witnesses_of_pair,
+      pair,
       [&](const auto& a, const auto& at_a, const auto& b, const auto& at_b, Witnesses& witnesses) {
         const double wanted = std::min(enough, least);
         double bound = shape_distance_bound(a.core, at_a, b.core, at_b, pair.shift_W, wanted);
@@ -180,7 +175,8 @@ double World::Impl::bound(const Pair& pair, double enough, bool tight) const {
         }
         least = std::min(least, bound);
         return least <= gap;
-      });
+      },
+      tight);
   return std::max(gap, least);
 }
 

@@ -59,9 +59,9 @@ struct World::Impl {
   int require_pair(int a, int b) const;  ///< throws std::invalid_argument if it is not tested
   void place(int body);
   /// Calls visit(shape a, placement a, shape b, placement b, their witnesses) until it returns
-  /// true; returns true if it did.
+  /// true; returns true if it did. With `tight`, the witnesses are those of triangles, too.
   template <typename Visit>
-  bool any_shapes(const Pair& pair, std::vector<Witnesses>& witnesses, Visit visit) const;
+  bool any_shapes(const Pair& pair, Visit visit, bool tight = false) const;
   bool fcl_touch(const CollisionShape& a, const Placement& at_a, const CollisionShape& b,
                  const Placement& at_b, const Eigen::Vector3d& shift_W);
   /// True if the bodies' boxes show that a pair neither touches nor swallows.

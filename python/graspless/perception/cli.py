@@ -133,12 +133,13 @@ def read_view(path: Path, viewpoint: list[float] | None) -> View:
         from ..tasks.clouds import read_cloud, stated_viewpoint
 
         if viewpoint is None:
-            stated = stated_viewpoint(path)
-            shown = "" if stated is None else " ".join(f"{value:g}" for value in stated)
-            hint = f"; VIEWPOINT in the file is {shown}, if that is in the points' frame"
+            hint = ""
+            if (stated := stated_viewpoint(path)) is not None:
+                shown = " ".join(f"{value:g}" for value in stated)
+                hint = f"; VIEWPOINT in the file is {shown}, if that is in the points' frame"
             raise ValueError(
                 "a cloud needs --viewpoint X Y Z, the position of the camera: without it nobody "
-                f"knows what the points hide{hint if shown else ''}"
+                f"knows what the points hide{hint}"
             )
         return view_of_cloud(read_cloud(path), viewpoint)
     except ValueError as error:

@@ -128,9 +128,9 @@ class Source:
         value = self._look_up(place)[0]
         text = re.sub(r"^(Value error, |Input )| after validation", "", fault["msg"])
         text += _advice(kind, value)
-        is_hidden = isinstance(value, list) and kind != "value_error"
-        is_hidden = is_hidden or (isinstance(value, dict) and kind.endswith("_type"))
-        shown = f"{shorten(value)}: " if is_hidden else ""
+        is_shown = isinstance(value, list) and kind != "value_error"  # message() shows the others
+        is_shown = is_shown or (isinstance(value, dict) and kind.endswith("_type"))
+        shown = f"{shorten(value)}: " if is_shown else ""
         return self.message(place, shown + text[:1].lower() + text[1:])
 
 

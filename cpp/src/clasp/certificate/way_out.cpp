@@ -9,6 +9,8 @@
 #include "graspless/geometry/linking.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/turn.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -67,7 +69,7 @@ bool WayOut::all_near(const Pose& pose, double shift, double angle, Visit visit)
   const Eigen::Matrix3d R = pose.turn.toRotationMatrix();
   const Eigen::Matrix3d turned = R - Eigen::Matrix3d::Identity();
   const Vector3d shifted = pose.p_OC - clasp_.p_OC;
-  const double most_turned = turned.norm() / M_SQRT2;  // the largest singular value
+  const double most_turned = geometry::most_apart(R, Eigen::Matrix3d::Identity());
   for (const Group& group : groups_) {
     const double moved =
         (turned * group.balls.middle + shifted).norm() + most_turned * group.balls.radius;

@@ -12,6 +12,7 @@
 #include "clasp/check/checker.hpp"
 #include "clasp/free_space/link_spheres.hpp"
 #include "clasp/free_space/object_collision.hpp"
+#include "geometry/turn.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -61,15 +62,14 @@ class MovingObject {
   };
 
   /// False if spheres prove a link apart from the object, here or where they did so last: no point
-  /// of it has come as far since then. The largest singular value of the difference of two
-  /// rotations is its norm / sqrt(2).
+  /// of it has come as far since then.
   bool may_touch(std::size_t link, const Eigen::Isometry3d& X_OW) {
     constexpr double kEnough = 0.008;  // [m]
     const SphereTree& tree = spheres_[link];
     Proof& proof = proofs_[link];
     const Eigen::Isometry3d X_OL = X_OW * X_WL_[link];
     const double moved = (X_OL * tree[0].p_L - proof.X_OL * tree[0].p_L).norm() +
-                         tree[0].outer * (X_OL.linear() - proof.X_OL.linear()).norm() / M_SQRT2;
+                         tree[0].outer * geometry::most_apart(X_OL.linear(), proof.X_OL.linear());
     if (moved >= proof.apart && moved > 0)
       proof = {distance_by_spheres(tree, X_OL, kEnough, *clearance_), X_OL};
     return proof.apart <= 0;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "clasp/stability/balls.hpp"
+#include "geometry/turn.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -101,7 +102,7 @@ PosedContacts::Middle PosedContacts::middle_of(const NearPoints::Block& block) c
   }
   const auto lost = [&](const Eigen::Isometry3d& before) {
     return (p_W - before * block.middle_W).norm() +
-           (moved_.linear() - before.linear()).norm() / M_SQRT2 * block.radius;
+           geometry::most_apart(moved_.linear(), before.linear()) * block.radius;
   };
   const double least = std::max(block.least_first - lost(Eigen::Isometry3d::Identity()),
                                 block.least - lost(block.moved));

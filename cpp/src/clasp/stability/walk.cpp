@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/turn.hpp"
+
 namespace graspless::clasp {
 
 ObjectWalk::ObjectWalk(const Eigen::Matrix3Xd& p_CB_W, const Eigen::VectorXd& radii,
@@ -139,9 +141,8 @@ int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
   const Pose start{R_OW_, p_OC_};
   for (int i = 0; i < static_cast<int>(groups_.size()); ++i) {
     const Group& group = groups_[static_cast<std::size_t>(i)];
-    // The largest singular value of the difference of two rotations is its norm / sqrt(2).
     const double moved = (start * group.balls.middle - group.at * group.balls.middle).norm() +
-                         group.balls.radius * (R_OW_ - group.at.R_OW).norm() / M_SQRT2;
+                         group.balls.radius * geometry::most_apart(R_OW_, group.at.R_OW);
     schedule(balls + i, group.bound - moved, travel(group.balls.middle, group.balls.radius), 0,
              max_steps);
   }
