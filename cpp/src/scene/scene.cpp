@@ -150,12 +150,25 @@ void Scene::keep_links_apart(double clearance, const std::vector<int>& joints,
     world_.keep_apart(a, b, moves ? clearance : 0);
     if (moves) kept.push_back(i);
   }
-  for (const Eigen::VectorXd& q : given) {
+  const auto drop_near = [&](const Eigen::VectorXd& q, bool may_touch) {
     place(q);
-    for (const int i : kept) {
+    const auto is_near = [&](int i) {
+      if (!world_.touches(i)) return false;
       const auto [a, b] = world_.pair(i);
-      if (world_.touches(i)) world_.keep_apart(a, b, 0);
+      world_.keep_apart(a, b, 0);
+      if (may_touch || !world_.touches(i)) return true;
+      world_.keep_apart(a, b, clearance);
+      return false;
+    };
+    kept.erase(std::remove_if(kept.begin(), kept.end(), is_near), kept.end());
+  };
+  for (const Eigen::VectorXd& q : given) drop_near(q, true);
+  Eigen::VectorXd q = given.empty() ? Eigen::VectorXd::Zero(robot_.dof()) : given.front();
+  for (const double part : {0.25, 0.5, 0.75}) {
+    for (const int joint : joints) {
+      q[joint] = robot_.lower()[joint] + part * (robot_.upper()[joint] - robot_.lower()[joint]);
     }
+    drop_near(q, false);
   }
 }
 

@@ -21,6 +21,10 @@ namespace {
 constexpr std::size_t kReasons = 3;
 
 std::string depth(collision::World& world, std::pair<int, int> bodies) {
+  const auto touching = world.all_collisions();
+  if (std::find(touching.begin(), touching.end(), bodies) == touching.end()) {
+    return "not proven to be " + in_mm(kLinkClearance) + " apart";
+  }
   const double deep = collision::overlap(world, bodies.first, bodies.second);
   if (!std::isfinite(deep)) return "one inside the other";
   return (deep < 1e-3 ? "less than 1 mm" : "about " + in_mm(deep)) + " deep";

@@ -223,9 +223,13 @@ def _require_found(robots: list[Any]) -> None:
     source = Source("pick", {"robot": given if len(given) > 1 else given[0]})
     for i, fields in enumerate(given):
         place = ("robot", i) if len(given) > 1 else ("robot",)
-        for key in ("urdf", "arm"):
-            if isinstance(fields.get(key), str):
-                find_urdf(fields[key], key, (*place, key), source, Path.cwd())
+        hand = fields.get("gripper")
+        parts = [(fields, place, ("urdf", "name", "arm"))]
+        parts += [(hand, (*place, "gripper"), ("file", "name"))] if isinstance(hand, Mapping) else []
+        for part, where, keys in parts:
+            for key in keys:
+                if isinstance(part.get(key), str):
+                    find_urdf(part[key], key, (*where, key), source, Path.cwd())
 
 
 def _require_usable(found: Pick) -> None:

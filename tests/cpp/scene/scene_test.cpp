@@ -356,5 +356,42 @@ TEST(LinkClearance, IsNotAskedOfPairsThatAreGivenNearer) {
   EXPECT_FALSE(scene.is_free(q));
 }
 
+/// A plate that turns 1 mm over its base, with a bar that meets a post of the base at 3 rad.
+const char* const kTurntable = R"(
+<robot name="turntable">
+  <link name="base">
+    <collision><geometry><box size="0.4 0.4 0.02"/></geometry></collision>
+    <collision><origin xyz="-0.18 0 0.1"/><geometry><box size="0.02 0.02 0.2"/></geometry></collision>
+  </link>
+  <link name="ring"/>
+  <link name="plate"><collision><origin xyz="0 0 0.021"/>
+    <geometry><cylinder radius="0.1" length="0.02"/></geometry></collision></link>
+  <link name="bar"><collision><origin xyz="0.13 0 0.1"/>
+    <geometry><box size="0.1 0.02 0.02"/></geometry></collision></link>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="ring"/>
+    <axis xyz="0 0 1"/><limit lower="-4" upper="4" velocity="1" effort="1"/></joint>
+  <joint name="twist" type="revolute"><parent link="ring"/><child link="plate"/>
+    <axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="1"/></joint>
+  <joint name="swing" type="revolute"><parent link="plate"/><child link="bar"/>
+    <axis xyz="0 0 1"/><limit lower="-0.1" upper="0.1" velocity="1" effort="1"/></joint>
+</robot>)";
+
+TEST(LinkClearance, IsNotAskedOfPairsThatAreBuiltNearer) {
+  const Robot robot = Robot::from_urdf(kTurntable, {});
+  Scene scene(robot), plain(robot);
+  scene.keep_links_apart(2e-3, {0, 1, 2}, {});
+  for (double turn = -1.5; turn < 1.5; turn += 0.1) {
+    EXPECT_TRUE(scene.is_free(vector({turn, 0, 0}))) << turn;
+  }
+  // The bar and the base are not built nearer. They keep the distance.
+  VectorXd q = vector({2, 0, 0});
+  while (plain.is_free(q)) q[0] += 1e-4;
+  q[0] -= 5e-3;  // 0.9 mm before
+  EXPECT_TRUE(plain.is_free(q));
+  EXPECT_FALSE(scene.is_free(q));
+  q[0] -= 1e-2;
+  EXPECT_TRUE(scene.is_free(q));
+}
+
 }  // namespace
 }  // namespace graspless::scene

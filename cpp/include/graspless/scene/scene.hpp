@@ -47,7 +47,9 @@ class GRASPLESS_API Scene {
 
   /// Lets links that `joints` move relative to each other count as touching unless they are proven
   /// to be more than `clearance` [m] apart. Pairs that are not that far apart in one of the
-  /// configurations `given` need only not touch. Replaces the demand of an earlier call.
+  /// configurations `given` need only not touch; nor need pairs that are built so closely: they are
+  /// not proven apart, yet do not touch, where all `joints` are at a quarter, a half or three
+  /// quarters of their ranges. Replaces the demand of an earlier call.
   void keep_links_apart(double clearance, const std::vector<int>& joints,
                         const std::vector<Eigen::VectorXd>& given);
 
