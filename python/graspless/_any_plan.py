@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from . import planning
     from ._plan import Plan
+    from .frames import Matrix
     from .proving.proof import Proof
     from .scene import EdgeCertificate
     from .tasks import Task
@@ -39,6 +40,7 @@ class AnyPlan:
     _planner: ClassVar[Any]  # its own plan() and check()
     _task: Any = None
     _document: dict[str, Any] | None = None  # the file's fields, until one is assigned
+    _rows: Matrix | None = None  # of all poses in the file, until one is assigned
 
     @property
     def task(self) -> Task[Any, Any, Any]:
@@ -99,8 +101,13 @@ class AnyPlan:
 
     def __setattr__(self, name: str, value: Any) -> None:
         super().__setattr__(name, value)
-        if name not in ("_task", "_document", "proof"):
+        if name not in ("_task", "_document", "_rows", "proof"):
             super().__setattr__("_document", None)
+            if self._rows is not None:
+                from .plan_files.table import posed, table
+
+                if name in posed(table(self.kind)):
+                    super().__setattr__("_rows", None)
 
     def __eq__(self, other: object) -> bool:
         if self is other or type(self) is not type(other):
@@ -143,7 +150,7 @@ class AnyPlan:
         if self._document is None:
             from .plan_files.table import fields_of, table
 
-            self._document = fields_of(self, table(self.kind))
+            self._document = fields_of(self, table(self.kind), known=self._rows)
         return self._document
 
     @classmethod
@@ -157,8 +164,17 @@ class AnyPlan:
         return plan
 
     @classmethod
-    def _of(cls: type[Self], found: Any, task: Any, **changes: Any) -> Self:
-        """Returns the planner's result with the numbers of the file; `changes` override `found`."""
+    def _of(cls: type[Self], found: Any, task: Any) -> Self:
+        """Returns the planner's result with the numbers of the file."""
+        from .plan_files.table import adopt, table
+
+        plan = cls()
+        plan._rows, plan._task = adopt(plan, found, table(cls.kind)), task
+        return plan
+
+    @classmethod
+    def _of_changed(cls: type[Self], found: Any, task: Any, changes: dict[str, Any]) -> Self:
+        """Returns the same where the planner's fields are not those of the file."""
         from .plan_files.table import fields_of, table
 
         return cls._made(fields_of(found, table(cls.kind), changes), task)

@@ -128,7 +128,7 @@ class Plan(AnyPlan, _core.Plan):
             Segment(s.name, s.positions, [task.problem.X_WO] * len(s), s.virtual_linking)
             for s in found.segments
         ]
-        return super()._of(found, task, **changes)
+        return cls._of_changed(found, task, changes)
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan."""

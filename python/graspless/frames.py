@@ -143,12 +143,21 @@ def from_row(row: Sequence[float]) -> Matrix:
 
 def to_rows(poses: ArrayLike) -> list[list[float]]:
     """Returns the rows of poses [N, 4, 4] in plan files, of seven numbers each."""
-    points, quaternions = places(np.asarray(poses, dtype=float).reshape(-1, 4, 4))
-    rows: list[list[float]] = np.hstack([points, quaternions]).tolist()
+    moved, which = moved_rows(np.asarray(poses, dtype=float).reshape(-1, 4, 4))
+    rows: list[list[float]] = moved[which].tolist()
     return rows
 
 
-def from_rows(rows: Sequence[Sequence[float]]) -> Matrix:
+def moved_rows(poses: Matrix) -> tuple[Matrix, NDArray[np.int64]]:
+    """Returns the rows [M, 7] of the poses [N, 4, 4] that differ from the one before, as an object
+    mostly stands still, and the index of each pose's row [N]."""
+    new = np.ones(len(poses), dtype=bool)
+    new[1:] = (poses[1:] != poses[:-1]).any(axis=(1, 2))
+    moved = poses[new]
+    return np.hstack([moved[:, :3, 3], to_quaternion(moved)]), np.cumsum(new) - 1
+
+
+def from_rows(rows: ArrayLike) -> Matrix:
     """Returns the poses [N, 4, 4] of the rows of `to_rows`."""
     given = np.asarray(rows, dtype=float).reshape(-1, 7)
     poses = from_quaternion(given[:, 3:])
@@ -179,9 +188,8 @@ def along(poses: Matrix, rows: Matrix) -> Matrix:
 
 def places(poses: Matrix) -> tuple[Matrix, Matrix]:
     """Returns positions [N, 3] and unit quaternions [N, 4] of poses [N, 4, 4]."""
-    same = (poses[1:] == poses[:-1]).all(axis=(1, 2))  # an object mostly stands still
-    new = np.concatenate([[True], ~same]) if len(poses) else np.zeros(0, dtype=bool)
-    return poses[:, :3, 3], to_quaternion(poses[new])[np.cumsum(new) - 1]
+    moved, which = moved_rows(poses)
+    return poses[:, :3, 3], moved[which, 3:]
 
 
 def mixed(

@@ -189,6 +189,20 @@ def test_a_plan_without_motion_is_not_run(document, tmp_path, purpose, is_bare):
         RUNS[purpose](given, *([tmp_path / "x.html"] if purpose == "show" else []))
 
 
+def test_numbers_of_a_plan_are_those_of_its_file(task):
+    for seed in range(5):
+        made = graspless.plan(task, seed=seed)
+        read = type(made)._made(json.loads(made.to_json()), made.task)
+        assert made.X_WO_goal.tobytes() == read.X_WO_goal.tobytes()
+        for mine, other in zip(made.segments, read.segments, strict=True):
+            assert mine.object_poses.tobytes() == other.object_poses.tobytes()
+        before = json.loads(made.to_json())
+        made.warnings = ["slippery"]
+        assert json.loads(made.to_json()) == before | {"warnings": ["slippery"]}
+        made.X_WO_goal = frames.translation([1.0, 2.0, 3.0])
+        assert json.loads(made.to_json())["X_WO_goal"] == [1, 2, 3, 1, 0, 0, 0]
+
+
 def test_budget_of_a_script_is_the_one_that_is_used(task, monkeypatch):
     budget = graspless.planning.Budget(seconds=5, seed=4)
     used = []

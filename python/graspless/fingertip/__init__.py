@@ -129,7 +129,7 @@ class Plan(AnyPlan, _core.Plan):
             changes["cost"] = changes["withstands"] = changes["place_tolerance"] = None
         if found.weakest_segment >= 0:
             changes["weakest"] = Weakest(found.weakest_segment, found.weakest_row)
-        return super()._of(found, task, **changes)
+        return cls._of_changed(found, task, changes)
 
     @classmethod
     def _search(cls, task: Any, budget: Budget) -> Plan:

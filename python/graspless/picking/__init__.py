@@ -224,12 +224,12 @@ def _require_found(robots: list[Any]) -> None:
     for i, fields in enumerate(given):
         place = ("robot", i) if len(given) > 1 else ("robot",)
         hand = fields.get("gripper")
-        parts = [(fields, place, ("urdf", "name", "arm"))]
-        parts += [(hand, (*place, "gripper"), ("file", "name"))] if isinstance(hand, Mapping) else []
-        for part, where, keys in parts:
-            for key in keys:
-                if isinstance(part.get(key), str):
-                    find_urdf(part[key], key, (*where, key), source, Path.cwd())
+        parts = [(fields, place, key) for key in ("urdf", "name", "arm")]
+        if isinstance(hand, Mapping):
+            parts += [(hand, (*place, "gripper"), key) for key in ("file", "name")]
+        for part, where, key in parts:
+            if isinstance(part.get(key), str):
+                find_urdf(part[key], key, (*where, key), source, Path.cwd())
 
 
 def _require_usable(found: Pick) -> None:

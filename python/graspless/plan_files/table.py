@@ -34,7 +34,7 @@ from ..tasks.shapes import Fields, Seed
 from .proof import ProofFields
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from ..frames import Matrix
 
@@ -106,17 +106,81 @@ def columns(model: type[Table]) -> list[Column]:
 
 
 def fields_of(
-    found: Any, model: type[PlanFields], changes: dict[str, Any] | None = None
+    found: Any,
+    model: type[PlanFields],
+    changes: dict[str, Any] | None = None,
+    known: Matrix | None = None,
 ) -> dict[str, Any]:
-    """Returns the fields of a plan in plain types; None is left out, and so is the head."""
+    """Returns the fields of a plan in plain types; None is left out, and so is the head.
+
+    `known` are the rows [N, 7] of all its poses, as `adopt` returns them.
+    """
     poses: list[tuple[list[Any], Matrix]] = []
     fields = {"stats": found.statistics.as_dict()}
     fields |= _fields(found, model, changes or {}, poses)
-    every = [X.reshape(-1, 4, 4) for _, X in poses]  # converted at once: many are of one row
-    rows = iter(frames.to_rows(np.concatenate(every)) if every else ())
+    if known is None:
+        moved, which = frames.moved_rows(_joined([X for _, X in poses]))
+        known = moved[which]
+    rows = iter(known.tolist())
     for row, X in poses:
         row += islice(rows, len(X)) if X.ndim == 3 else next(rows)
     return fields
+
+
+def adopt(plan: Any, found: Any, model: type[PlanFields]) -> Matrix:
+    """Gives an empty plan what a planner found, in the numbers of its file.
+
+    Returns the rows [N, 7] of all its poses, of which `fields_of` makes the file later.
+    """
+    poses: list[Matrix] = []
+    values = _values(found, model, poses)
+    moved, which = frames.moved_rows(_joined(poses))
+    exact = frames.from_rows(moved)[which]
+    parts = _split(exact, [len(X) if X.ndim == 3 else None for X in poses])
+    plan.statistics = found.statistics
+    for attribute, value in _attributes(values, model, parts).items():
+        setattr(plan, attribute, value)
+    return moved[which]
+
+
+def _joined(poses: list[Matrix]) -> Matrix:
+    """Returns poses [4, 4] and [N, 4, 4] in one array: most calls of numpy are for few poses."""
+    return np.concatenate([np.zeros((0, 4, 4)), *(X.reshape(-1, 4, 4) for X in poses)])
+
+
+def _split(every: Matrix, counts: Iterable[int | None]) -> Iterator[Matrix]:
+    """Yields as many of the poses [N, 4, 4] as are counted; None: a single one [4, 4]."""
+    end = 0
+    for count in counts:
+        begin, end = end, end + (1 if count is None else count)
+        yield every[begin] if count is None else every[begin:end]
+
+
+def _values(found: Any, model: type[Table], poses: list[Matrix]) -> dict[str, Any]:
+    """Returns the values of a struct, and of those in it, by their fields; poses go to `poses`."""
+    values: dict[str, Any] = {}
+    for column in columns(model):
+        value = getattr(found, column.attribute, None)
+        if value is None:
+            continue
+        if column.is_pose:
+            poses.append(np.asarray(value, dtype=float))
+        elif column.inner is not None and column.is_list:
+            value = [_values(item, column.inner, poses) for item in value]
+        elif column.inner is not None:
+            value = _values(value, column.inner, poses)
+        values[column.name] = value
+    return values
+
+
+@cache
+def posed(model: type[Table]) -> frozenset[str]:
+    """Returns the attributes that are poses, or structs with poses."""
+    return frozenset(
+        column.attribute
+        for column in columns(model)
+        if column.is_pose or (column.inner is not None and posed(column.inner))
+    )
 
 
 def _fields(
@@ -156,13 +220,10 @@ def fill(plan: Any, fields: dict[str, Any], model: type[PlanFields]) -> None:
 
 
 def _poses_in(fields: dict[str, Any], model: type[Table]) -> Iterator[Matrix]:
-    """Yields the values of all fields of poses, which are converted at once."""
+    """Returns the values of all fields of poses, which are converted at once."""
     given = list(_pose_fields(fields, model))
     every = frames.from_rows([row for rows, _ in given for row in rows])
-    end = 0
-    for rows, is_list in given:
-        begin, end = end, end + len(rows)
-        yield every[begin:end] if is_list else every[begin]
+    return _split(every, [len(rows) if is_list else None for rows, is_list in given])
 
 
 def _pose_fields(fields: dict[str, Any], model: type[Table]) -> Iterator[tuple[list[Any], bool]]:
@@ -193,7 +254,7 @@ def _attributes(
             value = [inner.MAKE(**_attributes(item, inner, poses)) for item in value]
         elif inner is not None:
             value = inner.MAKE(**_attributes(value, inner, poses))
-        elif is_matrix and not value:
+        elif is_matrix and len(value) == 0:
             value = np.zeros((0, 0))
         attributes[attribute] = value
     return attributes
