@@ -27,7 +27,8 @@ class AnyPlan:
     """Base of slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
 
     False unless solved. Two plans are equal if their files are. Numbers are those of the file: a
-    plan that is saved and loaded is equal, bit by bit.
+    plan that is saved and loaded is equal, bit by bit. To change a plan, assign to its attributes:
+    a change inside of one, such as `plan.statistics.iterations = 0`, may not reach the file.
     """
 
     kind: ClassVar[str]
@@ -39,7 +40,7 @@ class AnyPlan:
 
     _planner: ClassVar[Any]  # its own plan() and check()
     _task: Any = None
-    _document: dict[str, Any] | None = None  # the file's fields, until one is assigned
+    _document: dict[str, Any] | None = None  # the file's fields, once asked for
     _rows: Matrix | None = None  # of all poses in the file, until one is assigned
 
     @property
@@ -159,7 +160,7 @@ class AnyPlan:
         from .plan_files.table import fill, table
 
         plan = cls()
-        fill(plan, fields, table(cls.kind))
+        plan._rows = fill(plan, fields, table(cls.kind))
         plan._task, plan._document = task, fields
         return plan
 

@@ -149,8 +149,10 @@ def to_rows(poses: ArrayLike) -> list[list[float]]:
 
 
 def moved_rows(poses: Matrix) -> tuple[Matrix, NDArray[np.int64]]:
-    """Returns the rows [M, 7] of the poses [N, 4, 4] that differ from the one before, as an object
-    mostly stands still, and the index of each pose's row [N]."""
+    """Returns rows [M, 7] and, for each of the poses [N, 4, 4], the index of its row [N].
+
+    A pose that equals the one before shares its row: an object mostly stands still.
+    """
     new = np.ones(len(poses), dtype=bool)
     new[1:] = (poses[1:] != poses[:-1]).any(axis=(1, 2))
     moved = poses[new]

@@ -365,10 +365,6 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
             r"robot\[1\].urdf: wam_t4: no such file, .*did you mean 'wam_t42'\? \(one of: kr5",
         ),
         (
-            {"robot": ["wam_t42", {"name": "no_such"}]},
-            r"robot\[1\].name: no_such: ",
-        ),
-        (
             {"robot": ["wam_t42", {"arm": "kr5_sdh", "gripper": {"file": "hand.urdf"}}]},
             r"robot\[1\].gripper.file: hand.urdf: no such file",
         ),

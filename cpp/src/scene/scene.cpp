@@ -146,30 +146,43 @@ void Scene::keep_links_apart(double clearance, const std::vector<int>& joints,
     if (link_of[a] < 0 || link_of[b] < 0) continue;
     const Eigen::VectorXd reach =
         relative_reach(robot_, Carrier{link_of[a], {}}, Carrier{link_of[b], {}}, false);
-    const bool moves = (reach(joints).array() > 0).any();
-    world_.keep_apart(a, b, moves ? clearance : 0);
-    if (moves) kept.push_back(i);
+    world_.keep_apart(a, b, 0);
+    if ((reach(joints).array() > 0).any()) kept.push_back(i);
   }
-  const auto drop_near = [&](const Eigen::VectorXd& q, bool may_touch) {
+  for (const int i : built_close(kept, joints, given))
+    kept.erase(std::find(kept.begin(), kept.end(), i));
+  for (const int i : kept) keep_apart(i, clearance);
+  for (const Eigen::VectorXd& q : given) {
     place(q);
-    const auto is_near = [&](int i) {
-      if (!world_.touches(i)) return false;
-      const auto [a, b] = world_.pair(i);
-      world_.keep_apart(a, b, 0);
-      if (may_touch || !world_.touches(i)) return true;
-      world_.keep_apart(a, b, clearance);
-      return false;
-    };
-    kept.erase(std::remove_if(kept.begin(), kept.end(), is_near), kept.end());
-  };
-  for (const Eigen::VectorXd& q : given) drop_near(q, true);
+    for (const int i : kept) {
+      if (world_.touches(i)) keep_apart(i, 0);
+    }
+  }
+}
+
+std::vector<int> Scene::built_close(std::vector<int> pairs, const std::vector<int>& joints,
+                                    const std::vector<Eigen::VectorXd>& given) {
+  constexpr double kClose = 2e-3;  // [m]
   Eigen::VectorXd q = given.empty() ? Eigen::VectorXd::Zero(robot_.dof()) : given.front();
   for (const double part : {0.25, 0.5, 0.75}) {
     for (const int joint : joints) {
       q[joint] = robot_.lower()[joint] + part * (robot_.upper()[joint] - robot_.lower()[joint]);
     }
-    drop_near(q, false);
+    place(q);
+    const auto is_other = [&](int i) {
+      keep_apart(i, kClose);
+      const bool is_near = world_.touches(i);
+      keep_apart(i, 0);
+      return !is_near || world_.touches(i);
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_other), pairs.end());
   }
+  return pairs;
+}
+
+void Scene::keep_apart(int pair, double clearance) {
+  const auto [a, b] = world_.pair(pair);
+  world_.keep_apart(a, b, clearance);
 }
 
 void Scene::place(const robot::Poses& X_WL) {

@@ -23,8 +23,8 @@ constexpr const char* kSupportBody = "support";
 /// which nothing may touch, and links keep kLinkClearance.
 scene::Scene make_scene(const Problem& problem);
 
-/// Lets the links keep kLinkClearance, except pairs that are nearer in one of the configurations
-/// `given`, from which the motion has to begin.
+/// Lets the links keep kLinkClearance, except pairs that are built close to each other, or nearer
+/// in one of the configurations `given`, from which the motion has to begin.
 void keep_links_apart(scene::Scene& scene, const Problem& problem,
                       const std::vector<Eigen::VectorXd>& given);
 

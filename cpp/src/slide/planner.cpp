@@ -41,11 +41,10 @@ Path shortened(Query& query, Path path) {
   return planning::shortcut(std::move(path), connect, kShortcutRounds, query.rng);
 }
 
-Status status_of(const ob::PlannerStatus& status, Query& query,
-                 const planning::ForestCBiRRT& planner) {
+Status status_of(const Query& query, const planning::ForestCBiRRT& planner) {
   if (query.clock.was_interrupted()) return Status::interrupted;
-  if (status == ob::PlannerStatus::INVALID_START) return Status::no_start_root;
-  if (status == ob::PlannerStatus::INVALID_GOAL) return Status::no_goal_root;
+  if (planner.num_start_roots() == 0) return Status::no_start_root;
+  if (planner.num_goal_roots() == 0) return Status::no_goal_root;
   return planner.num_pairs() > 0 ? Status::no_valid_pair : Status::not_connected;
 }
 
@@ -62,14 +61,17 @@ void fill_statistics(const planning::ForestCBiRRT& planner, Query& query, Statis
 
 /// Algorithm 1 from the starts of `search` to a valid pair, and the plan's segments.
 void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan& plan) {
-  const ob::PlannerStatus status = search.planner->solve(  // Algorithm 1
-      ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
+  ob::PlannerStatus status = ob::PlannerStatus::TIMEOUT;
+  query.clock.run([&] {  // where a step outlasts the clock, what was found until then counts
+    status = search.planner->solve(  // Algorithm 1
+        ob::PlannerTerminationCondition([&] { return !query.clock.spend(); }));
+  });
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
     if (is_detour(slide)) query.is_lag_small(slid_along(query, shortened(query, slide)));
     assemble(query, motions, query.slid, plan);  // the shortened one, if its lag is small
   } else {
-    plan.status = status_of(status, query, *search.planner);
+    plan.status = status_of(query, *search.planner);
   }
   fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(query, plan);

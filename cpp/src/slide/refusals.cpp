@@ -20,12 +20,12 @@ namespace {
 
 constexpr std::size_t kReasons = 3;
 
+/// The depth of bodies in each other, or that they only are nearer than links may be.
 std::string depth(collision::World& world, std::pair<int, int> bodies) {
-  const auto touching = world.all_collisions();
-  if (std::find(touching.begin(), touching.end(), bodies) == touching.end()) {
-    return "not proven to be " + in_mm(kLinkClearance) + " apart";
-  }
-  const double deep = collision::overlap(world, bodies.first, bodies.second);
+  const auto [a, b] = bodies;
+  world.keep_apart(a, b, 0);
+  const double deep = collision::overlap(world, a, b);
+  if (deep == 0) return "not proven to be " + in_mm(kLinkClearance) + " apart,";
   if (!std::isfinite(deep)) return "one inside the other";
   return (deep < 1e-3 ? "less than 1 mm" : "about " + in_mm(deep)) + " deep";
 }

@@ -218,15 +218,15 @@ def labelled(robot: Any) -> dict[str, Any]:
 
 
 def _require_found(robots: list[Any]) -> None:
-    """Raises TaskError that names the robot whose file does not exist."""
+    """Raises TaskError that names a robot whose URDF, or whose gripper's, does not exist."""
     given = [one if isinstance(one, Mapping) else {"urdf": str(one)} for one in robots]
     source = Source("pick", {"robot": given if len(given) > 1 else given[0]})
     for i, fields in enumerate(given):
         place = ("robot", i) if len(given) > 1 else ("robot",)
         hand = fields.get("gripper")
-        parts = [(fields, place, key) for key in ("urdf", "name", "arm")]
+        parts = [(fields, place, key) for key in ("urdf", "arm")]
         if isinstance(hand, Mapping):
-            parts += [(hand, (*place, "gripper"), key) for key in ("file", "name")]
+            parts.append((hand, (*place, "gripper"), "file"))
         for part, where, key in parts:
             if isinstance(part.get(key), str):
                 find_urdf(part[key], key, (*where, key), source, Path.cwd())

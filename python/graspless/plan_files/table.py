@@ -109,7 +109,7 @@ def fields_of(
     found: Any,
     model: type[PlanFields],
     changes: dict[str, Any] | None = None,
-    known: Matrix | None = None,
+    known: Any = None,
 ) -> dict[str, Any]:
     """Returns the fields of a plan in plain types; None is left out, and so is the head.
 
@@ -118,10 +118,9 @@ def fields_of(
     poses: list[tuple[list[Any], Matrix]] = []
     fields = {"stats": found.statistics.as_dict()}
     fields |= _fields(found, model, changes or {}, poses)
-    if known is None:
-        moved, which = frames.moved_rows(_joined([X for _, X in poses]))
-        known = moved[which]
-    rows = iter(known.tolist())
+    every = _joined([X for _, X in poses])
+    is_known = known is not None and len(known) == len(every)
+    rows = iter(known.tolist() if is_known else frames.to_rows(every))
     for row, X in poses:
         row += islice(rows, len(X)) if X.ndim == 3 else next(rows)
     return fields
@@ -144,7 +143,7 @@ def adopt(plan: Any, found: Any, model: type[PlanFields]) -> Matrix:
 
 
 def _joined(poses: list[Matrix]) -> Matrix:
-    """Returns poses [4, 4] and [N, 4, 4] in one array: most calls of numpy are for few poses."""
+    """Returns poses [4, 4] and [N, 4, 4] in one array, to convert them in one call."""
     return np.concatenate([np.zeros((0, 4, 4)), *(X.reshape(-1, 4, 4) for X in poses)])
 
 
@@ -207,23 +206,22 @@ def _fields(
     return fields
 
 
-def fill(plan: Any, fields: dict[str, Any], model: type[PlanFields]) -> None:
-    """Gives an empty plan the fields of a file."""
+def fill(plan: Any, fields: dict[str, Any], model: type[PlanFields]) -> Matrix:
+    """Gives an empty plan the fields of a file. Returns the rows [N, 7] of all its poses."""
     plan.status = plan._status(fields["status"])
     known = plan.statistics.as_dict()
     given = fields["stats"].items()
     stats = {name: value for name, value in given if name in known and value is not None}
     plan.statistics = type(plan.statistics)(**stats)
     given = {name: value for name, value in fields.items() if name != "status"}
-    for attribute, value in _attributes(given, model, _poses_in(given, model)).items():
+    found = list(_pose_fields(given, model))
+    rows = np.asarray([row for rows, _ in found for row in rows], dtype=float).reshape(-1, 7)
+    poses = _split(
+        frames.from_rows(rows), [len(rows) if is_list else None for rows, is_list in found]
+    )
+    for attribute, value in _attributes(given, model, poses).items():
         setattr(plan, attribute, value)
-
-
-def _poses_in(fields: dict[str, Any], model: type[Table]) -> Iterator[Matrix]:
-    """Returns the values of all fields of poses, which are converted at once."""
-    given = list(_pose_fields(fields, model))
-    every = frames.from_rows([row for rows, _ in given for row in rows])
-    return _split(every, [len(rows) if is_list else None for rows, is_list in given])
+    return rows
 
 
 def _pose_fields(fields: dict[str, Any], model: type[Table]) -> Iterator[tuple[list[Any], bool]]:
@@ -314,4 +312,15 @@ def schema() -> dict[str, Any]:
     return {"title": "PlanFile", **adapter.json_schema()}
 
 
-__all__ = ["BaseModel", "PlanFields", "PoseRow", "Table", "fields_of", "fill", "schema", "table"]
+__all__ = [
+    "BaseModel",
+    "PlanFields",
+    "PoseRow",
+    "Table",
+    "adopt",
+    "fields_of",
+    "fill",
+    "posed",
+    "schema",
+    "table",
+]

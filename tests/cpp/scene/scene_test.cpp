@@ -363,7 +363,8 @@ const char* const kTurntable = R"(
     <collision><geometry><box size="0.4 0.4 0.02"/></geometry></collision>
     <collision><origin xyz="-0.18 0 0.1"/><geometry><box size="0.02 0.02 0.2"/></geometry></collision>
   </link>
-  <link name="ring"/>
+  <link name="ring"><collision><origin xyz="0 0 1"/>
+    <geometry><sphere radius="0.01"/></geometry></collision></link>
   <link name="plate"><collision><origin xyz="0 0 0.021"/>
     <geometry><cylinder radius="0.1" length="0.02"/></geometry></collision></link>
   <link name="bar"><collision><origin xyz="0.13 0 0.1"/>

@@ -46,10 +46,11 @@ class GRASPLESS_API Scene {
   void detach(int body);
 
   /// Lets links that `joints` move relative to each other count as touching unless they are proven
-  /// to be more than `clearance` [m] apart. Pairs that are not that far apart in one of the
-  /// configurations `given` need only not touch; nor need pairs that are built so closely: they are
-  /// not proven apart, yet do not touch, where all `joints` are at a quarter, a half or three
-  /// quarters of their ranges. Replaces the demand of an earlier call.
+  /// to be more than `clearance` [m] apart. Two kinds of pairs need only not touch: those that are
+  /// nearer in one of the configurations `given`, and those that are built close to each other,
+  /// that is within 2 mm, or not proven apart, without touching, where all `joints` are at a
+  /// quarter, at half and at three quarters of their ranges. Replaces the demand of an earlier
+  /// call.
   void keep_links_apart(double clearance, const std::vector<int>& joints,
                         const std::vector<Eigen::VectorXd>& given);
 
@@ -88,6 +89,9 @@ class GRASPLESS_API Scene {
     double bound_middle = 0;
   };
 
+  std::vector<int> built_close(std::vector<int> pairs, const std::vector<int>& joints,
+                               const std::vector<Eigen::VectorXd>& given);
+  void keep_apart(int pair, double clearance);
   void place(const robot::Poses& X_WL);
   void place(const Eigen::VectorXd& q);
   void update_motion_bounds();

@@ -34,10 +34,10 @@ class GRASPLESS_API Surroundings {
   /// Returns the names of touching pairs, "a - b", with the robot at q and the object at X_WO.
   ///
   /// Links that the arm moves relative to each other count as touching up to a distance of 0.5 mm;
-  /// plans keep 2 mm. Pairs that are nearer at home have to touch. `segment` of a plan decides
-  /// which contacts are allowed. The support is `rise` higher than in the problem [m]. Joint limits
-  /// are not checked. Throws std::invalid_argument if q is of the wrong size or not finite, X_WO is
-  /// not a rigid pose, or there is no such segment.
+  /// plans keep 2 mm. Pairs that are nearer at home, or built close to each other, count only if
+  /// they touch. `segment` of a plan decides which contacts are allowed. The support is `rise`
+  /// higher than in the problem [m]. Joint limits are not checked. Throws std::invalid_argument if
+  /// q is of the wrong size or not finite, X_WO is not a rigid pose, or there is no such segment.
   std::vector<std::string> touching(const std::string& segment, const Eigen::VectorXd& q,
                                     const Eigen::Isometry3d& X_WO, double rise = 0);
 
