@@ -91,6 +91,7 @@ def _run(options: argparse.Namespace) -> int:
             found = inspect(robot, palm=options.palm, name=name)
         except ValueError as error:
             raise TaskError(f"{name}: {error}") from None
+    kept = _kept(found.files(), folder)
     written = found.write(folder)
     if find_spec("matplotlib") is not None:
         from .view import figures
@@ -103,6 +104,18 @@ def _run(options: argparse.Namespace) -> int:
     else:
         print(report.as_text(found))
         print("\n".join(f"written: {path}" for path in written))
+        for path in kept:
+            print(f"kept: {path}, as it was before")
     if options.serve is not None:
         found.serve(options.serve)
     return FOUND
+
+
+def _kept(texts: dict[str, str], folder: Path) -> list[Path]:
+    """Renames files that differ from what takes their place, as somebody may have edited them."""
+    kept = []
+    for name, text in texts.items():
+        path = folder / name
+        if path.is_file() and path.read_bytes() != text.encode():
+            kept.append(path.replace(folder / f"{name}~"))
+    return kept

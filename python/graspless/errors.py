@@ -54,7 +54,9 @@ def explain(error: BaseException) -> str:
         file = "" if error.filename is None else str(error.filename)
         name = f"{file if len(file) <= 255 else file[:60] + '...' + file[-60:]!r}: " if file else ""
         return f"{name}{error.strerror}"
-    first = str(error).splitlines()[0] if str(error) else ""
+    first, *rest = str(error).splitlines() or [""]
+    if rest and rest[0].startswith("Element name"):  # MuJoCo's second line names the body
+        first += f" ({rest[0]})"
     if isinstance(error, ValueError) and first:
         return first
     return f"{type(error).__name__}: {first}" if first else type(error).__name__

@@ -61,6 +61,11 @@ def test_the_end_of_a_long_path_is_shown(folders):
     assert len(told) < 300
 
 
+def test_mujoco_names_the_body_in_its_second_line():
+    error = ValueError("Error: mass and inertia must be larger\nElement name 'torso', id 3\nmore")
+    assert explain(error) == "Error: mass and inertia must be larger (Element name 'torso', id 3)"
+
+
 def test_box_too_large_for_any_room(write):
     box = "obstacles: [{name: b, box: [1e300, 1, 1]}]\nbudget:"
     told = fault(write(changed("budget:", box)))

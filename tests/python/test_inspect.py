@@ -450,6 +450,14 @@ def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
     assert task.fields.proposed is None
     assert plan(task)
     assert cli.main(["robot", "check", "made/mine.urdf"]) == 0
+    hand = tmp_path / "made" / "mine.hand.yaml"
+    hand.write_text(hand.read_text() + "# mine\n")
+    capsys.readouterr()
+    assert cli.main(["robot", "inspect", "mine.urdf", "-o", "made"]) == 0
+    said = capsys.readouterr().out
+    assert said.endswith("kept: made/mine.hand.yaml~, as it was before\n")
+    assert (tmp_path / "made" / "mine.hand.yaml~").read_text().endswith("# mine\n")
+    assert "# mine" not in hand.read_text()
 
 
 def test_command_as_json(tmp_path, capsys, monkeypatch):

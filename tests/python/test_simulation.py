@@ -96,6 +96,13 @@ def test_mujoco_and_our_own_reader_agree_on_where_every_link_is(name):
             np.testing.assert_allclose(body.xmat.reshape(3, 3), X_WL[:3, :3], atol=1e-9)
 
 
+def test_a_follower_of_a_mimic_joint_is_limited_by_its_driver_alone():
+    task = graspless.load_task(_data.directory("examples") / "01_slide_card.yaml")
+    model = robot_spec(_robot(task), task.fields.robot).compile()
+    assert model.neq == 1
+    assert not model.jnt_limited[model.eq_obj1id].any()
+
+
 # The first link is a mesh that is not a convex solid, the third a sphere near its hull.
 def test_a_hull_does_not_collide_where_its_mesh_does_not(tmp_path):
     corners = ["0 0 0", ".1 0 0", "0 .1 0", "0 0 .02", ".05 .02 0", ".02 .05 0"]

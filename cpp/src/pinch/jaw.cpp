@@ -16,6 +16,21 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The links of a finger that reach its end. Those behind them may be wider, and hold nothing.
+std::vector<std::string> at_end(const slide::Problem& problem,
+                                const std::vector<std::string>& finger, const Eigen::VectorXd& q) {
+  constexpr double kPad = 0.02;  // length of the finger's end [m]
+  std::vector<double> ends;
+  for (const std::string& link : finger) {
+    ends.push_back(Shapes(problem, {link}, q).extent(Vector3d::UnitZ()));
+  }
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < finger.size(); ++i) {
+    if (ends[i] > *std::max_element(ends.begin(), ends.end()) - kPad) found.push_back(finger[i]);
+  }
+  return found;
+}
+
 /// Intersection of two intervals, or the gap between them.
 std::pair<double, double> common(const std::pair<double, double>& a,
                                  const std::pair<double, double>& b) {
@@ -73,8 +88,10 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
   for (const int joint : problem.robot.group(problem.hand.arm)) {
     q_open_[joint] = q_closed_[joint] = problem.q_home[joint];
   }
+  own_face_ = at_end(problem, problem.hand.sliding_finger, q_open_);
+  other_face_ = at_end(problem, others_, q_open_);
   const Vector3d y = Vector3d::UnitY();
-  const Shapes own(problem, problem.hand.sliding_finger, q_open_), other(problem, others_, q_open_);
+  const Shapes own(problem, own_face_, q_open_), other(problem, other_face_, q_open_);
   const double own_middle = own.extent(y) - own.extent(-y),
                other_middle = other.extent(y) - other.extent(-y);
   side_ = own_middle > other_middle ? 1 : -1;
@@ -90,8 +107,7 @@ Grip Jaw::at(const Eigen::VectorXd& q) const {
   constexpr double kRound = 0.001;  // length of a pad that is not flat [m]
   Grip grip;
   grip.q = q;
-  const Shapes own(problem_, problem_.hand.sliding_finger, grip.q),
-      other(problem_, others_, grip.q);
+  const Shapes own(problem_, own_face_, grip.q), other(problem_, other_face_, grip.q);
   const Vector3d inward = -side_ * Vector3d::UnitY();  // of the sliding finger
   const double own_face = own.extent(inward), other_face = other.extent(-inward);
   grip.gap = -own_face - other_face;

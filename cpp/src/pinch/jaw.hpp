@@ -75,6 +75,7 @@ class Jaw {
   const slide::Problem& problem_;
   double depth_;
   std::vector<std::string> others_;  // links of hand.fingers besides hand.sliding_finger
+  std::vector<std::string> own_face_, other_face_;  // those of both fingers that hold the object
   Eigen::VectorXd q_open_, q_closed_;
   double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1
   double widest_;

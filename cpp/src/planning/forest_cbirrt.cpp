@@ -64,7 +64,7 @@ ob::PlannerStatus ForestCBiRRT::solve(const ob::PlannerTerminationCondition& ptc
   Forest* a = next_;                                                                // 1
   Forest* b = a == start_forest_.get() ? goal_forest_.get() : start_forest_.get();  // 1
   for (; !ptc; std::swap(a, b)) {                                                   // 2, 18
-    if (can_add_root()) {                                                           // 3, Eq. (5)
+    if (can_add_root() || a->size() == 0) {                                         // 3, Eq. (5)
       const int root = add_from_region(*a);                                         // 4
       if (root >= 0 && connect_first_) {
         const auto pair = add_partner(start_for(*a, root), kAnyCost);

@@ -139,7 +139,8 @@ bool is_home_free(Query& query, Plan& plan) {
     const auto [a, b] = query.free.collision(q);
     if (a.empty()) continue;
     plan.reason = "at q_home, '" + a + "' touches '" + b + "', " +
-                  depth(world, {world.body(a), world.body(b)});
+                  depth(world, {world.body(a), world.body(b)}) +
+                  "; choose another q_home (robot.home of a task)";
     return false;
   }
   if (query.is_motion_free(home, open)) return true;

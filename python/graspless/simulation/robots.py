@@ -63,7 +63,9 @@ def robot_spec(
     ):
         _add_servo(spec, name, float(effort), float(weight), servo)
     for equality in spec.equalities:  # mimic joints: a light follower would yield to a touch
-        spec.joint(equality.name1).armature = spec.joint(equality.name2).armature
+        follower = spec.joint(equality.name1)
+        follower.armature = spec.joint(equality.name2).armature
+        follower.limited = mujoco.mjtLimited.mjLIMITED_FALSE  # as in the plan: its driver's hold
         equality.solimp[:2] = servo.mimic_solimp
     return spec
 

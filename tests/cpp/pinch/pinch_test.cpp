@@ -41,6 +41,13 @@ TEST(Pinch, PinchesBoxesAndDiscsWhereverTheyStand) {
   }
 }
 
+TEST(Jaw, IsAsWideAsTheEndsOfItsFingers) {
+  Problem problem = standing(rectangle(0.12, 0.04), 0.06);
+  const double opening = Jaw(problem).opening();
+  problem.hand.fingers.emplace_back("hand_base");  // behind both fingers, and wider
+  EXPECT_EQ(Jaw(problem).opening(), opening);
+}
+
 /// Both normals of a polygon without noise are within the cone about the line of contacts.
 TEST(Pinch, ContactsAreAntipodal) {
   for (const double yaw : {0.0, 0.3, 1.1}) {

@@ -230,6 +230,37 @@ TEST(ForestCBiRRT, SaysWhichEndHasNoRoot) {
             ob::PlannerStatus::INVALID_GOAL);
 }
 
+/// Goals are found at once and end all further draws, by Eq. (5); a start is found late.
+TEST(ForestCBiRRT, DrawsForAnEmptyForestHoweverManyRootsTheOtherHas) {
+  auto si = std::make_shared<ob::SpaceInformation>(
+      make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
+  si->setStateValidityChecker([](const ob::State*) { return true; });
+  si->setup();
+  class Late : public SampleableRegion {
+   public:
+    Late(const ob::SpaceInformationPtr& given, double x, int draws)
+        : SampleableRegion(given), x_(x), draws_(draws) {}
+    bool try_sample(ob::State* state) const override {
+      vector(state, 2) << x_, 0;
+      return --draws_ < 0;
+    }
+
+   private:
+    double x_;
+    mutable int draws_;
+  };
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  problem->setGoal(std::make_shared<Late>(si, 0.5, 0));
+  ForestCBiRRT planner(si);
+  planner.setProblemDefinition(problem);
+  planner.set_start_region(std::make_shared<Late>(si, -0.5, 1000));
+  planner.set_root_scale(0.1);
+  planner.set_range(0.2);
+  int iterations = 0;
+  EXPECT_TRUE(planner.solve(
+      ob::PlannerTerminationCondition([&iterations] { return ++iterations > 10000; })));
+}
+
 TEST(ForestCBiRRT, IsRepeatable) {
   const auto run = [](std::uint64_t seed) {
     auto si = std::make_shared<ob::SpaceInformation>(
