@@ -83,13 +83,22 @@ def test_not_found_exits_1_and_says_why(task, capsys):
 
 
 def test_out_of_reach_names_what_was_refused(task, capsys):
-    far = changed("center: [0.65, 0.0]", "center: [3.0, 0.0]")
-    task.write_text(changed("x: 0.60", "x: 3.0", far))
+    far = changed("center: [0.65, 0.0]", "center: [1.1, 0.0]")
+    task.write_text(changed("x: 0.60", "x: 1.1", far))
     code, out, _ = run(capsys, "plan", "task.yaml", "--time", "1")
     assert code == 1
     assert out.startswith("no_start_root")
     assert "rejected candidates, by reason:\n" in out
     assert "start: reach" in out
+
+
+def test_far_out_of_reach_is_refused_without_a_search(task, capsys):
+    far = changed("center: [0.65, 0.0]", "center: [3.0, 0.0]")
+    task.write_text(changed("x: 0.60", "x: 3.0", far))
+    code, out, _ = run(capsys, "plan", "task.yaml")
+    assert code == 1
+    assert out.startswith("no_start_root in ")
+    assert "out of the arm's reach: the fingertip gets at most 1.17 m from 'wam_link_1'" in out
 
 
 def test_start_in_collision(task, capsys):

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 #include "graspless/watch.hpp"
@@ -100,8 +101,9 @@ std::string insecure(const Query& query) {
     out << "options.stability.force and torque set the load)";
   }
   if (query.best_pinch.press > 0) {
-    out << "; pinched with " << query.best_pinch.press << " N a finger, friction resists "
-        << query.best_pinch.load << " of this load at most";
+    out << "; pinched with " << std::setprecision(3) << query.best_pinch.press
+        << " N a finger, friction resists " << std::floor(1000 * query.best_pinch.load) / 1000
+        << " of this load at most";
   }
   return out.str();
 }

@@ -79,8 +79,8 @@ void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan
 
 Plan searched(Query& query) {
   Plan plan;
-  if (!is_home_free(query, plan) || !can_press(query, plan) || !can_drag(query, plan) ||
-      !can_be_left(query, plan))
+  if (!is_home_free(query, plan) || !can_press(query, plan) || !can_reach(query, plan) ||
+      !can_drag(query, plan) || !can_be_left(query, plan))
     return plan;
   Motions motions(query);  // IsPairValid(), Section IV-C.1
   const ob::SpaceInformationPtr si = make_space(query);

@@ -148,6 +148,37 @@ bool is_home_free(Query& query, Plan& plan) {
   return false;
 }
 
+bool can_reach(const Query& query, Plan& plan) {
+  constexpr double kSlack = 0.02;  // between the contact and the fingertip [m]
+  const Problem& problem = query.problem;
+  const robot::Robot& robot = problem.robot;
+  const std::vector<int>& arm = robot.group(problem.hand.arm);
+  const auto slides = [&](int joint) { return robot.step_weights()[joint] > 1; };
+  if (std::any_of(arm.begin(), arm.end(), slides)) return true;
+  const int tip = robot.frame(problem.hand.fingertip);
+  int first = tip;  // the first link that the arm moves; its origin is on the first joint
+  for (int link = tip; link >= 0; link = robot.parent(link)) {
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, problem.q_home);
+    if (J(Eigen::all, arm).isZero()) break;
+    first = link;
+  }
+  const Eigen::Vector3d base_W = robot.pose(first, problem.q_home).translation();
+  const double reach = robot.reach(tip)(arm).maxCoeff();
+  const Eigen::Vector3d base_S = query.X_WS.inverse() * base_W;
+  const Eigen::Vector2d base_O = query.object_start.inverse() * Eigen::Vector2d(base_S.head<2>());
+  const double aside = (problem.object.points().colwise() - base_O).colwise().norm().minCoeff();
+  const double nearest = std::hypot(aside, base_S.z() - query.top);
+  if (nearest <= reach + kSlack) return true;
+  plan.status = Status::no_start_root;
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: the fingertip"
+      << " gets at most " << reach << " m from '"
+      << robot.frame_names()[static_cast<std::size_t>(first)]
+      << "', and the nearest point of the object is " << nearest << " m from it";
+  plan.reason = out.str();
+  return false;
+}
+
 bool can_press(const Query& query, Plan& plan) {
   const Object& object = query.problem.object;
   if (!object.heights() || !contact_points(query.problem, query.options).empty()) return true;

@@ -16,6 +16,10 @@ std::string in_mm(double length);
 /// status and reason.
 bool is_home_free(Query& query, Plan& plan);
 
+/// True unless all of the object is farther from the arm's first joint than the fingertip can get.
+/// Otherwise sets the plan's status and reason. Arms with sliding joints are not judged.
+bool can_reach(const Query& query, Plan& plan);
+
 /// True if the object has a level part on which the finger may press. Otherwise sets the plan's
 /// status and reason.
 bool can_press(const Query& query, Plan& plan);

@@ -204,16 +204,6 @@ TEST(Plan, LeavesItsProblemAlone) {
 
 // --- Not found ---
 
-TEST(Plan, SaysThatTheObjectIsOutOfReach) {
-  const Support far(geometry::square(0.5), Eigen::Isometry3d(Eigen::Translation3d(3, 0, 0)));
-  const Plan none = plan(make_problem(far, objects()[0], flat(0, 0, 0)), {}, seeded(1, 0.2));
-  EXPECT_FALSE(none);
-  EXPECT_EQ(none.status, Status::no_start_root);
-  EXPECT_GT(none.statistics.refusals.at("start: reach"), 0);
-  EXPECT_NE(none.reason.find("reach"), std::string::npos);
-  EXPECT_TRUE(none.segments.empty());
-}
-
 TEST(Plan, SaysThatNoPairCanBeValid) {
   Options options;
   options.min_overhang = 0.08;  // of a 10 cm square whose middle must stay inside
@@ -504,6 +494,49 @@ TEST(Plan, NamesTheLinksThatTouch) {
       << none.reason;
   EXPECT_GT(deep, 1) << none.reason;
   EXPECT_LT(deep, 300) << none.reason;
+}
+
+TEST(Plan, RefusesAnObjectOutOfReachAtOnce) {
+  const Problem near = simple_problem();
+  double refused = 0;  // the first way of the table that is refused [m]
+  for (double way = 0; way < 2; way += 0.05) {
+    const Eigen::Isometry3d away(Eigen::Translation3d(way, 0, 0));
+    Problem problem = near;
+    problem.support = Support(near.support.polygon(), away * near.support.X_WS());
+    problem.X_WO_start = away * near.X_WO_start;
+    planning::Budget budget = seeded(1);
+    budget.iterations = 300;
+    const Plan found = plan(problem, {}, budget);
+    const bool is_refused = found.reason.find("out of the arm's reach") != std::string::npos;
+    EXPECT_TRUE(is_refused || refused == 0) << way;
+    if (!is_refused) continue;
+    EXPECT_EQ(found.status, Status::no_start_root);
+    EXPECT_EQ(found.statistics.iterations, 0);
+    EXPECT_TRUE(found.segments.empty());
+    if (refused == 0) refused = way;
+  }
+  EXPECT_GT(refused, 0.2);
+  EXPECT_LT(refused, 1.5);
+}
+
+/// The bound on which that refusal rests.
+TEST(Plan, NoFingertipGetsFartherThanTheArmReaches) {
+  std::mt19937 rng(2);
+  for (const char* name : {"wam_t42.urdf", "kr5_t42.urdf"}) {
+    const robot::Robot robot = robot::Robot::from_urdf_file(urdf_file(name));
+    const int tip = robot.frame("left_fingertip"), base = robot.frame(robot.frame_names()[1]);
+    double farthest = 0;
+    for (int i = 0; i < 2000; ++i) {
+      Eigen::VectorXd q(robot.dof());
+      for (int j = 0; j < q.size(); ++j) {
+        q[j] = std::uniform_real_distribution<double>(robot.lower()[j], robot.upper()[j])(rng);
+      }
+      farthest = std::max(
+          farthest, (robot.pose(tip, q).translation() - robot.pose(base, q).translation()).norm());
+    }
+    EXPECT_LT(farthest, robot.reach(tip)(robot.group("arm")).maxCoeff());
+    EXPECT_GT(farthest, 0.5 * robot.reach(tip)(robot.group("arm")).maxCoeff());
+  }
 }
 
 TEST(Plan, SaysHowDeepTheLinksTouchAtHome) {

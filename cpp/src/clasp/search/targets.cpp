@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <numeric>
+#include <sstream>
 
 #include "graspless/watch.hpp"
 
@@ -203,9 +205,10 @@ std::vector<int> without_narrow(Query& query, std::vector<int> loops, Plan& plan
 void explain_no_target(const Query& query, const TargetRater& rater, Plan& plan) {
   if (rater.least_excess > 0) {
     plan.status = Status::no_target_in_reach;
-    plan.reason = "every target is out of the arm's reach of " +
-                  std::to_string(rater.reach.radius) + " m; the nearest is " +
-                  std::to_string(rater.least_excess) + " m too far away";
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(3) << "every target is out of the arm's reach of "
+        << rater.reach.radius << " m; the nearest is " << rater.least_excess << " m too far away";
+    plan.reason = out.str();
   } else {
     plan.status = Status::not_found;
     plan.reason = "no target in reach lies across the pull and on its side";
