@@ -70,23 +70,19 @@ def test_version_is_that_of_the_metadata():
 
 
 def test_import_is_light():
-    """Heavy packages load on first use: `import graspless.slide` takes at most 60 ms of CPU time
-    beyond numpy."""
+    """Heavy packages load on first use."""
     program = """
-import sys, time, numpy
-start = time.process_time()
+import sys, numpy
+before = len(sys.modules)
 import graspless.slide
-print(time.process_time() - start)
+print(len(sys.modules) - before)
 print(*(set(sys.modules) & {"pydantic", "trimesh", "yaml", "matplotlib", "viser", "scipy"}))
 """
-    runs = []
-    for _ in range(3):
-        out = subprocess.run(
-            [sys.executable, "-c", program], capture_output=True, text=True, check=True
-        ).stdout.splitlines()
-        runs.append(float(out[0]))
-        assert out[1] == ""
-    assert min(runs) < 0.060
+    out = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    ).stdout.splitlines()
+    assert int(out[0]) < 50  # 32, with those of graspless and of Python itself
+    assert out[1] == ""
 
 
 def test_plan_imports_no_other_command_or_kind(tmp_path):

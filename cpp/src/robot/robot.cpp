@@ -248,7 +248,7 @@ void require_configuration(const Robot& robot, const VectorXd& q, const std::str
     throw std::invalid_argument(
         field + ": joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
         std::to_string(q[i]) + ", outside its limits [" + std::to_string(robot.lower()[i]) + ", " +
-        std::to_string(robot.upper()[i]) + "]");
+        std::to_string(robot.upper()[i]) + "] " + (robot.step_weights()[i] > 1 ? "m" : "rad"));
   }
 }
 
