@@ -25,7 +25,7 @@ from typing import (
 )
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, TypeAdapter
+from pydantic import ConfigDict, Discriminator, Field, TypeAdapter
 
 from .. import frames
 from ..kinds import KINDS, part
@@ -117,7 +117,7 @@ def fields_of(
     """
     poses: list[tuple[list[Any], Matrix]] = []
     fields = {"stats": found.statistics.as_dict()}
-    fields |= _fields(found, model, changes or {}, poses)
+    fields |= _fields(found, model, changes or {}, poses, _numbers)
     every = _joined([X for _, X in poses])
     is_known = known is not None and len(known) == len(every)
     rows = iter(known.tolist() if is_known else frames.to_rows(every))
@@ -131,11 +131,11 @@ def adopt(plan: Any, found: Any, model: type[PlanFields]) -> Matrix:
 
     Returns the rows [N, 7] of all its poses, of which `fields_of` makes the file later.
     """
-    poses: list[Matrix] = []
-    values = _values(found, model, poses)
-    moved, which = frames.moved_rows(_joined(poses))
+    poses: list[tuple[list[Any], Matrix]] = []
+    values = _fields(found, model, {}, poses, lambda value: value)
+    moved, which = frames.moved_rows(_joined([X for _, X in poses]))
     exact = frames.from_rows(moved)[which]
-    parts = _split(exact, [len(X) if X.ndim == 3 else None for X in poses])
+    parts = _split(exact, [len(X) if X.ndim == 3 else None for _, X in poses])
     plan.statistics = found.statistics
     for attribute, value in _attributes(values, model, parts).items():
         setattr(plan, attribute, value)
@@ -155,23 +155,6 @@ def _split(every: Matrix, counts: Iterable[int | None]) -> Iterator[Matrix]:
         yield every[begin] if count is None else every[begin:end]
 
 
-def _values(found: Any, model: type[Table], poses: list[Matrix]) -> dict[str, Any]:
-    """Returns the values of a struct, and of those in it, by their fields; poses go to `poses`."""
-    values: dict[str, Any] = {}
-    for column in columns(model):
-        value = getattr(found, column.attribute, None)
-        if value is None:
-            continue
-        if column.is_pose:
-            poses.append(np.asarray(value, dtype=float))
-        elif column.inner is not None and column.is_list:
-            value = [_values(item, column.inner, poses) for item in value]
-        elif column.inner is not None:
-            value = _values(value, column.inner, poses)
-        values[column.name] = value
-    return values
-
-
 @cache
 def posed(model: type[Table]) -> frozenset[str]:
     """Returns the attributes that are poses, or structs with poses."""
@@ -187,8 +170,12 @@ def _fields(
     model: type[Table],
     changes: dict[str, Any],
     poses: list[tuple[list[Any], Matrix]],
+    leaf: Callable[[Any], Any],
 ) -> dict[str, Any]:
-    """Returns the fields of a struct. Lists of rows are empty, and added to `poses`."""
+    """Returns the fields of a struct: `leaf` of each value, structs in it likewise.
+
+    Lists of rows are empty, and added to `poses`.
+    """
     fields: dict[str, Any] = {}
     for column in columns(model):
         value = changes.get(column.name, getattr(found, column.attribute, None))
@@ -198,11 +185,11 @@ def _fields(
             poses.append(([], np.asarray(value, dtype=float)))
             fields[column.name] = poses[-1][0]
         elif column.inner is None:
-            fields[column.name] = _numbers(value)
+            fields[column.name] = leaf(value)
         elif column.is_list:
-            fields[column.name] = [_fields(item, column.inner, {}, poses) for item in value]
+            fields[column.name] = [_fields(item, column.inner, {}, poses, leaf) for item in value]
         else:
-            fields[column.name] = _fields(value, column.inner, {}, poses)
+            fields[column.name] = _fields(value, column.inner, {}, poses, leaf)
     return fields
 
 
@@ -310,17 +297,3 @@ def schema() -> dict[str, Any]:
     files: Any = reduce(or_, [table(kind) for kind in KINDS])
     adapter: TypeAdapter[Any] = TypeAdapter(Annotated[files, Discriminator("kind")])
     return {"title": "PlanFile", **adapter.json_schema()}
-
-
-__all__ = [
-    "BaseModel",
-    "PlanFields",
-    "PoseRow",
-    "Table",
-    "adopt",
-    "fields_of",
-    "fill",
-    "posed",
-    "schema",
-    "table",
-]

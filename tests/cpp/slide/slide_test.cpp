@@ -204,6 +204,16 @@ TEST(Plan, LeavesItsProblemAlone) {
 
 // --- Not found ---
 
+TEST(Plan, SaysThatTheObjectIsOutOfReach) {
+  const Support far(geometry::square(0.5), Eigen::Isometry3d(Eigen::Translation3d(1.1, 0, 0)));
+  const Plan none = plan(make_problem(far, objects()[0], flat(0, 0, 0)), {}, seeded(1, 0.2));
+  EXPECT_FALSE(none);
+  EXPECT_EQ(none.status, Status::no_start_root);
+  EXPECT_GT(none.statistics.refusals.at("start: reach"), 0);
+  EXPECT_NE(none.reason.find("reach"), std::string::npos);
+  EXPECT_TRUE(none.segments.empty());
+}
+
 TEST(Plan, SaysThatNoPairCanBeValid) {
   Options options;
   options.min_overhang = 0.08;  // of a 10 cm square whose middle must stay inside
