@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 #include "graspless/watch.hpp"
@@ -101,9 +100,9 @@ std::string insecure(const Query& query) {
     out << "options.stability.force and torque set the load)";
   }
   if (query.best_pinch.press > 0) {
-    out << "; pinched with " << std::setprecision(3) << query.best_pinch.press
-        << " N a finger, friction resists " << std::floor(1000 * query.best_pinch.load) / 1000
-        << " of this load at most";
+    out.precision(3);
+    out << "; pinched with " << query.best_pinch.press << " N a finger, friction resists "
+        << std::floor(1000 * query.best_pinch.load) / 1000 << " of this load at most";
   }
   return out.str();
 }
