@@ -180,6 +180,25 @@ void bind_description(py::module_& m) {
       "clash.");
 }
 
+/// One Jacobian (6, dof) for q (dof,), or N of them for q (N, dof).
+py::array_t<double> jacobians(const Robot& robot, int frame, const Array& q) {
+  if (q.ndim() != 2) {
+    return py::cast(Rows(robot.jacobian(frame, to_configuration(robot, q, "q"))));
+  }
+  if (q.shape(1) != robot.dof()) {
+    throw std::invalid_argument("q should have " + std::to_string(robot.dof()) +
+                                " columns, one for each joint of '" + robot.name() + "', not " +
+                                std::to_string(q.shape(1)));
+  }
+  const Configurations rows = to_configurations(q, "q");
+  py::array_t<double> result({q.shape(0), py::ssize_t{6}, q.shape(1)});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Eigen::Map<Rows>(result.mutable_data(static_cast<py::ssize_t>(i), 0, 0), 6, robot.dof()) =
+        robot.jacobian(frame, rows[i]);
+  }
+  return result;
+}
+
 void bind_kinematics(py::class_<Robot>& cls) {
   cls.def(
          "forward",
@@ -201,12 +220,12 @@ void bind_kinematics(py::class_<Robot>& cls) {
           "[rad or m].")
       .def(
           "jacobian",
-          [](const Robot& self, const Key& frame, const Array& q) -> Rows {
-            return self.jacobian(frame_index(self, frame), to_configuration(self, q, "q"));
+          [](const Robot& self, const Key& frame, const Array& q) {
+            return jacobians(self, frame_index(self, frame), q);
           },
           py::arg("frame"), py::arg("q"),
           "Returns the Jacobian of a link's origin in the world, (6, dof), at q, (dof,); linear "
-          "rows first.")
+          "rows first. At many configurations, (N, dof), it is (N, 6, dof).")
       .def(
           "clamp",
           [](const Robot& self, const Array& q) {

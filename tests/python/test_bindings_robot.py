@@ -37,6 +37,19 @@ def test_kinematics_have_their_shapes(wam, q_home):
         np.testing.assert_allclose(jacobian[:3, joint], column, atol=1e-5)
 
 
+def test_jacobians_of_many_configurations_are_those_of_each(wam, q_home):
+    rows = wam.clamp(q_home) + np.linspace(0, 0.1, 5)[:, None]
+    each = [wam.jacobian("left_fingertip", q) for q in rows]
+    np.testing.assert_array_equal(wam.jacobian("left_fingertip", rows), each)
+    assert wam.jacobian("left_fingertip", rows[:0]).shape == (0, 6, wam.dof)
+    with pytest.raises(ValueError, match=f"q should have {wam.dof} columns.*not {wam.dof - 1}"):
+        wam.jacobian("left_fingertip", rows[:, 1:])
+    with pytest.raises(ValueError, match=r"q has shape \(1, 5, "):
+        wam.jacobian("left_fingertip", rows[None])
+    with pytest.raises(ValueError, match="finite"):
+        wam.jacobian("left_fingertip", rows * np.nan)
+
+
 def test_tables(wam):
     assert len(wam.joint_names) == wam.dof == len(wam.lower) == len(wam.reach("grasp"))
     assert wam.is_within(wam.clamp(wam.upper + 1))

@@ -16,12 +16,13 @@ from scipy.spatial import Delaunay, cKDTree
 import graspless
 from clasp_common import PURSE, changed
 from graspless import _data, clasp, geometry
+from graspless.report import simulation as simulation_report
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, held_locked, run, surface
 from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
 from graspless.simulation.clasp.model import make_world
-from graspless.simulation.results import drained
+from graspless.simulation.results import Simulation, drained
 from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
@@ -213,10 +214,16 @@ def test_an_obstacle_that_the_plan_does_not_know_is_hit(plan, shape, tmp_path):
         there = copy.copy(plan)
         there._task = read_task(f"{PURSE}obstacles: [{post}]\n", "post.yaml")
         settings = dataclasses.replace(SHORT, sequences=1, seconds=0.2)
-        found[name] = run(there, Variation(), settings=settings).failures
-    assert found["aside"] == ()
-    assert "hit" in found["in the way"]
-    assert not {"escaped", "forced_open", "pulled_out"} & set(found["in the way"])
+        found[name] = run(there, Variation(), settings=settings)
+    assert found["aside"].failures == ()
+    assert found["aside"].touched is None
+    hit = found["in the way"]
+    assert "hit" in hit.failures
+    assert not {"escaped", "forced_open", "pulled_out"} & set(hit.failures)
+    assert hit.touched[0] == "post"
+    assert hit.touched[1] in robot.frame_names
+    text = simulation_report.as_text(Simulation(plan, 0, [hit]))
+    assert f"touched an obstacle (post and {hit.touched[1]})" in text
 
 
 def test_an_object_in_the_way_is_hit(plan):

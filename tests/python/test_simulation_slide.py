@@ -358,6 +358,7 @@ def test_what_stands_in_the_way_is_hit(plan):
     execution = Execution(changed(plan, obstacles=[obstacle]), Variation(), Slide())
     execution.run("slide")
     assert "hit" in execution.judge.failures
+    assert "post" in execution.judge.touched
     assert set(FAILURES) >= set(execution.judge.failures)
 
 

@@ -25,7 +25,6 @@ from graspless.ros.node import GrasplessNode
 from graspless.ros.results import bytes_of
 from graspless.ros.spinning import spin
 
-
 WHOLE = 500_000  # kept of results [bytes]: few enough to be found before rclpy forgets the first
 
 

@@ -18,6 +18,9 @@ constexpr int kMaxSamples = 1000000;
 constexpr int kLeastFirst = 50;    // samples that decide about pairs that touch
 constexpr int kEnoughNear = 2000;  // samples in which a pair's boxes meet, but it does not touch
 constexpr double kAlways = 0.95;   // of the samples, as MoveIt's set-up assistant
+constexpr int kFewJoints = 3;      // between two links: the samples cover their motion
+constexpr int kDescents = 3;       // towards contact, for each pair with more joints
+constexpr int kSteps = 150;        // of a descent
 
 /// A pair that is still tested, with the number of samples in which its boxes met, and it touched.
 struct OpenContact {
@@ -48,7 +51,9 @@ class ContactSampler {
       test(i);
     }
     close_decided(found.never);
-    for (const OpenContact& contact : open_) found.never.push_back(links(contact.pair));
+    for (const OpenContact& contact : open_) {
+      if (!can_touch(contact.pair)) found.never.push_back(links(contact.pair));
+    }
     std::sort(found.never.begin(), found.never.end());
     return found;
   }
@@ -67,16 +72,62 @@ class ContactSampler {
   void test(int sample) {
     poll();
     draw(sample % 2 == 1);
-    robot_.forward(q_, X_WL_);
-    for (std::size_t link = 0; link < X_WL_.size(); ++link) {
-      const int body = scene_.link_body(static_cast<int>(link));
-      if (body >= 0) scene_.world().set_pose(body, X_WL_[link]);
-    }
+    place();
     for (OpenContact& contact : open_) {
       constexpr double kApart = 1e-6;  // [m]
       if (scene_.world().distance_bound(contact.pair, kApart) >= kApart) continue;
       ++contact.near;
       contact.touched += scene_.world().touches(contact.pair);
+    }
+  }
+
+  /// True if a descent of their distance, over the joints between them, ends in contact.
+  bool can_touch(int pair) {
+    const auto [a, b] = links(pair);
+    std::vector<Eigen::Index> joints;
+    for (Eigen::Index i = 0; i < q_.size(); ++i) {
+      if ((robot_.reach(a)[i] > 0) != (robot_.reach(b)[i] > 0)) joints.push_back(i);
+    }
+    if (joints.size() <= kFewJoints) return false;
+    for (int descent = 0; descent < kDescents; ++descent) {
+      poll();
+      draw(false);
+      if (descends_to_contact(pair, joints)) return true;
+    }
+    return false;
+  }
+
+  bool descends_to_contact(int pair, const std::vector<Eigen::Index>& joints) {
+    std::normal_distribution<double> normal;
+    double least = distance(pair), width = 0.2;
+    for (int step = 0; step < kSteps && least > 0; ++step) {
+      const Eigen::VectorXd before = q_;
+      for (const Eigen::Index i : joints) {
+        const double lower = robot_.lower()[i], upper = robot_.upper()[i];
+        q_[i] = std::clamp(q_[i] + width * (upper - lower) * normal(rng_), lower, upper);
+      }
+      if (const double now = distance(pair); now < least) {
+        least = now;
+        width = std::min(1.5 * width, 0.3);
+      } else {
+        q_ = before;
+        width *= 0.9;
+      }
+    }
+    place();
+    return scene_.world().touches(pair);
+  }
+
+  double distance(int pair) {
+    place();
+    return scene_.world().distance_bound(pair);
+  }
+
+  void place() {
+    robot_.forward(q_, X_WL_);
+    for (std::size_t link = 0; link < X_WL_.size(); ++link) {
+      const int body = scene_.link_body(static_cast<int>(link));
+      if (body >= 0) scene_.world().set_pose(body, X_WL_[link]);
     }
   }
 

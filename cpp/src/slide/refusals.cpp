@@ -12,6 +12,7 @@
 #include "graspless/slide/tube.hpp"
 
 #include "collision/overlap.hpp"
+#include "robot/moved_links.hpp"
 #include "slide/placement.hpp"
 #include "slide/task/hand_frames.hpp"
 
@@ -156,12 +157,7 @@ bool can_reach(const Query& query, Plan& plan) {
   const auto slides = [&](int joint) { return robot.step_weights()[joint] > 1; };
   if (std::any_of(arm.begin(), arm.end(), slides)) return true;
   const int tip = robot.frame(problem.hand.fingertip);
-  int first = tip;  // the first link that the arm moves; its origin is on the first joint
-  for (int link = tip; link >= 0; link = robot.parent(link)) {
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, problem.q_home);
-    if (J(Eigen::all, arm).isZero()) break;
-    first = link;
-  }
+  const int first = robot::moved_links(robot, arm, tip, problem.q_home).front();
   const Eigen::Vector3d base_W = robot.pose(first, problem.q_home).translation();
   const double reach = robot.reach(tip)(arm).maxCoeff();
   const Eigen::Vector3d base_S = query.X_WS.inverse() * base_W;

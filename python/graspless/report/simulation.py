@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,7 +36,8 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]
     for name, times in found.failures.items():
-        lines.append(f"  {name} in {count(times, 'trials')}: {failures[name]}")
+        meaning = failures[name] + _bodies(name, found)
+        lines.append(f"  {name} in {count(times, 'trials')}: {meaning}")
     lines += [f"  {line}" for line in _table(found.trials, measures)]
     if disturbed is not None:
         lines.append(f"  {_disturbance(disturbed)}")
@@ -44,6 +46,16 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     seconds = sum(trial.seconds for trial in found.trials)
     lines.append(f"  computed in {seconds:.1f} s")
     return "\n".join(lines)
+
+
+def _bodies(failure: str, found: Simulation) -> str:
+    """Returns the names of what touched, in brackets; empty for other failures."""
+    pairs = [trial.touched for trial in found.trials if failure in trial.failures and trial.touched]
+    if failure not in ("hit", "touched") or not pairs:
+        return ""
+    (most, _), *others = Counter(pairs).most_common()
+    more = f", and {count(len(others), 'other pairs')}" if others else ""
+    return f" ({most[0]} and {most[1]}{more})"
 
 
 def _table(trials: list[Trial], measures: dict[str, str]) -> list[str]:

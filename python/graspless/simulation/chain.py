@@ -91,7 +91,8 @@ def run(
     if not before.failures:
         after = _executed(plan.stages[1:], before.variation, record, settings, truth)
         film = after.recording and moved.joined(before.recording, after.recording, plan)
-        done = Trial(variation, after.failures, before.measures | after.measures, 0.0, film)
+        measures = before.measures | after.measures
+        done = Trial(variation, after.failures, measures, 0.0, film, after.touched)
     film = done.recording if record else None
     return dataclasses.replace(done, seconds=time.perf_counter() - start, recording=film)
 
@@ -120,6 +121,7 @@ def _executed(
         pinch.measured(execution.measures) if stages[0].kind == "pinch" else execution.measures,
         time.perf_counter() - start,
         _with_plan(execution.recording(), stages) if record else None,
+        execution.judge.touched,
     )
 
 

@@ -72,6 +72,8 @@ class Trial:
         Computation time [s].
     recording : Recording or None
         Recording, if requested.
+    touched : tuple of str or None
+        Names of two bodies, of the first contact that must not be; None in fingertip plans.
     """
 
     variation: Variation
@@ -79,6 +81,7 @@ class Trial:
     measures: dict[str, float]
     seconds: float
     recording: Recording | None = None
+    touched: tuple[str, str] | None = None
 
     def __bool__(self) -> bool:
         return not self.failures
@@ -89,6 +92,7 @@ class Trial:
         return {
             "held": bool(self),
             "failures": list(self.failures),
+            "touched": self.touched and list(self.touched),
             "measures": known,
             "variation": self.variation.as_dict(),
             "seconds": self.seconds,

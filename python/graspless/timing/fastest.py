@@ -38,6 +38,7 @@ FINAL_CHECKS = 24
 REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
 ACCEPTED = 0.01  # relative excess above which the grid is refined
+HELPED = 0.7  # of an excess that may be left for another refinement
 
 
 @np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion.made
@@ -45,15 +46,16 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
     """Returns a fast motion along `path` whose limits hold at every moment.
 
     toppra evaluates limits at the points of a grid. Where they are exceeded between two points,
-    the grid is refined and the speed there is reduced. The remaining excess slows down the whole
-    motion.
+    the grid is refined and the speed there is reduced, as long as that helps. The remaining excess
+    slows down the whole motion.
     """
-    grid = path.grid()
+    grid, window = path.grid(), _window(zones)
     slowed = np.ones(len(grid))
-    window = _window(zones)
     motion, excess = _solved(path, zones, grid, slowed, window)
+    best = grid, motion, excess.max()
     for _ in range(REFINEMENTS):
-        if excess.max() <= ACCEPTED:
+        before = excess.max()
+        if before <= ACCEPTED:
             break
         broken = np.flatnonzero(excess > ACCEPTED / 2)
         more = 1 + excess[broken].clip(max=1.0)
@@ -64,8 +66,13 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
         slowed = np.append(slowed, np.maximum(slowed[broken], slowed[broken + 1]))[order]
         grid = np.append(grid, middles)[order]
         motion, excess = _solved(path, zones, grid, slowed, window)
+        if motion.duration * (1 + excess.max()) < best[1].duration * (1 + best[2]):
+            best = grid, motion, excess.max()
+        if excess.max() > HELPED * before:
+            break
+    grid, motion, most = best
     times = _moments(motion, grid, FINAL_CHECKS)
-    most = max(excess.max(), _excess(motion, zones, times, paces=False).max())
+    most = max(most, _excess(motion, zones, times, paces=False).max())
     return motion.slower(1 + MARGIN + 1.1 * float(most))
 
 
@@ -128,10 +135,11 @@ def _limits(
         reach = speed * window / 2
         first = np.searchsorted(grid, grid - reach, "left")
         last = np.searchsorted(grid, grid + reach, "right")
-        of_point = speed.copy()
-        for k, (i, j) in enumerate(zip(first, last, strict=True)):
-            np.minimum(speed[i:j], of_point[k], out=speed[i:j])
-            np.minimum(acceleration[i:j], most.acceleration[k], out=acceleration[i:j])
+        counts = last - first
+        by = np.repeat(np.arange(len(grid)), counts)
+        at = np.arange(len(by)) + np.repeat(first - np.cumsum(counts) + counts, counts)
+        np.minimum.at(speed, at, speed[by])
+        np.minimum.at(acceleration, at, most.acceleration[by])
     return speed, acceleration
 
 
@@ -155,15 +163,15 @@ def _moments(motion: Motion, grid: Matrix, checks: int) -> Matrix:
 
 def _excess(motion: Motion, zones: Sequence[Zone], times: Matrix, *, paces: bool = True) -> Matrix:
     """Returns the relative excess of a motion at `times` [N] [s]; 0.01 is one percent."""
-    s, ds, *_ = motion.at(times)
-    _, *values = motion.coordinates(times)
-    most = bounds(motion.path, zones, s, paces=paces)  # paces are slow to ask
+    at = motion.at(times)
+    _, *values = motion.coordinates_at(at)
+    most = bounds(motion.path, zones, at[0], paces=paces)  # paces are slow to ask
     allowed = (most.velocity, most.acceleration, most.jerk)
     ratios = [
         (np.abs(value) / limit).max(axis=1) ** (1 / power)
         for power, (value, limit) in enumerate(zip(values, allowed, strict=True), 1)
     ]
-    excess: Matrix = np.max([*ratios, ds * most.pace, np.ones(len(times))], axis=0) - 1
+    excess: Matrix = np.max([*ratios, at[1] * most.pace, np.ones(len(times))], axis=0) - 1
     return excess
 
 

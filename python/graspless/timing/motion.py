@@ -58,31 +58,34 @@ class Motion:
 
     def reaches(self, s: float) -> float:
         """Returns the time at which the path's parameter becomes `s` [s]."""
-        return float(brentq(lambda t: self.at(np.array([t]))[0, 0] - s, 0.0, self.duration))
+        return float(brentq(lambda t: self.place(np.array([t]))[0] - s, 0.0, self.duration))
+
+    def place(self, t: Matrix) -> Matrix:
+        """Returns the path's parameter [N] at `t` [N] [s]."""
+        place = self._derivative(t, 0).clip(0.0, self.path.length)
+        return np.where(t < self.duration, place, self.path.length)
 
     def at(self, t: Matrix) -> Matrix:
         """Returns the path's parameter and its first three derivatives [4, N] at `t` [N] [s]."""
-        end, length = float(self.profile.x[-1]), self.path.length
-        if self.window == 0:
-            values = [self.profile(t.clip(0.0, end), order) for order in range(3)]
-            values.append(np.zeros_like(t))
-        else:
-            before = t - self.window
-            values = [
-                (_held(self._integral, t, order) - _held(self._integral, before, order))
-                / self.window
-                for order in range(4)
-            ]
-        values[0] = np.where(t < self.duration, values[0].clip(0.0, length), length)
-        return np.array(values)
+        return np.array([self.place(t), *(self._derivative(t, order) for order in (1, 2, 3))])
 
     def coordinates(self, t: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
         """Returns coordinates, velocities, accelerations and jerks [N, n] at `t` [N] [s]."""
-        s, ds, dds, ddds = self.at(t)
+        return self.coordinates_at(self.at(t))
+
+    def coordinates_at(self, at: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+        """Returns the same from what `at` returns [4, N]."""
+        s, (v, a, j) = at[0], at[1:, :, None]
         d1, d2, d3 = (self.path(s, order) for order in (1, 2, 3))
-        v, a, j = ds[:, None], dds[:, None], ddds[:, None]
-        jerks = d3 * v**3 + 3 * d2 * v * a + d1 * j
-        return self.path(s), d1 * v, d2 * v**2 + d1 * a, jerks
+        return self.path(s), d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j
+
+    def _derivative(self, t: Matrix, order: int) -> Matrix:
+        """Returns a derivative of the averaged profile [N], which rests before and after it."""
+        if self.window == 0:
+            inside: Matrix = self.profile(t.clip(0.0, float(self.profile.x[-1])), order)
+            return inside if order < 3 else np.zeros_like(t)
+        after, before = (_held(self._integral, at, order) for at in (t, t - self.window))
+        return (after - before) / self.window
 
 
 @dataclass(frozen=True)

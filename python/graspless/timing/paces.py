@@ -22,11 +22,9 @@ def frame_speed(robot: Robot, frame: str, speed: float) -> Pace:
 
     def pace(q: Matrix, dq: Matrix) -> Matrix:
         joints, rates = q[:, : robot.dof], dq[:, : robot.dof]
-        moved = [
-            np.linalg.norm(robot.jacobian(frame, at)[:3] @ rate)
-            for at, rate in zip(joints, rates, strict=True)
-        ]
-        return np.array(moved) / speed
+        velocities = np.einsum("nij,nj->ni", robot.jacobian(frame, joints)[:, :3], rates)
+        moved: Matrix = np.linalg.norm(velocities, axis=1) / speed
+        return moved
 
     return pace
 

@@ -56,6 +56,35 @@ TEST(LinkContacts, KeepsPairsThatSometimesTouch) {
   EXPECT_EQ(std::count(found.never.begin(), found.never.end(), sometimes), 0);
 }
 
+/// Two arms of three links with a ball of 1 cm at each end, whose shoulders are `apart` [m].
+std::string two_arms(double apart) {
+  std::string text = R"(<robot name="two"><link name="base"/>)";
+  for (const std::string side : {"left_", "right_"}) {
+    const double y = side == "left_" ? apart / 2 : -apart / 2;
+    std::string parent = "base", at = "0 " + std::to_string(y) + " 0";
+    for (const std::string joint : {"0 0 1", "0 1 0", "1 0 0"}) {
+      const std::string child = side + std::string(1, static_cast<char>('a' + joint.find('1')));
+      text += R"(<link name=")" + child + R"("/><joint name="to_)" + child +
+              R"(" type="revolute"><origin xyz=")" + at + R"("/><parent link=")" + parent +
+              R"("/><child link=")" + child + R"("/><axis xyz=")" + joint +
+              R"("/><limit lower="-2.5" upper="2.5" velocity="1" effort="1"/></joint>)";
+      parent = child, at = "0.3 0.02 0";
+    }
+    text += R"(<link name=")" + side + R"(ball"><collision><geometry><sphere radius="0.01"/>)" +
+            R"(</geometry></collision></link><joint name="to_)" + side +
+            R"(ball" type="fixed"><origin xyz="0.3 0 0"/><parent link=")" + parent +
+            R"("/><child link=")" + side + R"(ball"/></joint>)";
+  }
+  return text + "</robot>";
+}
+
+TEST(LinkContacts, FindsContactsThatAreTooRareForSamples) {
+  for (const auto& [apart, contacts] : {std::pair{1.5, 0U}, std::pair{2.0, 1U}}) {
+    const auto robot = robot::Robot::from_urdf(two_arms(apart), {});
+    EXPECT_EQ(sample_contacts(robot, 500).never.size(), contacts) << apart;
+  }
+}
+
 TEST(LinkContacts, RefusesCountsOutOfRange) {
   const auto robot = robot::Robot::from_urdf(kSwing, {});
   EXPECT_THROW(sample_contacts(robot, 0), std::invalid_argument);

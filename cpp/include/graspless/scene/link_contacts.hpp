@@ -14,14 +14,16 @@ namespace graspless::scene {
 /// Pairs of links, as frame indices with the smaller first, that need no test for collision.
 struct LinkContacts {
   std::vector<std::pair<int, int>> always;  ///< touch in at least 95 % of the configurations
-  std::vector<std::pair<int, int>> never;   ///< touch in no configuration
+  std::vector<std::pair<int, int>> never;   ///< no contact was found
 };
 
 /// Tests the links of a robot against each other, except Robot::ignored_pairs, in random
 /// configurations within the joint limits. Half of the configurations are uniform. In the other
 /// half, each joint is at one of its limits with a probability of 1/2. The first fiftieth of the
 /// samples, but at least 50, decides about pairs that touch; a pair that has been near without
-/// contact in 2000 samples is not tested further. The same seed gives the same result.
+/// contact in 2000 samples is not tested further. Samples hardly ever show two hands in contact: of
+/// pairs without contact and with more than three joints between them, the distance is minimized
+/// from three configurations. The same seed gives the same result.
 /// With `links` (frame indices), only pairs with at least one of them are tested. Throws
 /// std::invalid_argument unless 0 < samples <= 10^6 and the links exist.
 GRASPLESS_API LinkContacts sample_contacts(const robot::Robot& robot, int samples = 10000,

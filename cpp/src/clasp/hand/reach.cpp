@@ -5,23 +5,10 @@
 #include <algorithm>
 
 #include "clasp/hand/kinematics.hpp"
+#include "robot/moved_links.hpp"
 
 namespace graspless::clasp {
 namespace {
-
-/// Links from the first that the arm moves to the hand's frame.
-std::vector<int> arm_links(const robot::Robot& robot, const Hand& hand, const Eigen::VectorXd& q) {
-  const std::vector<int>& arm = robot.group(hand.arm);
-  std::vector<int> links;
-  for (int link = robot.frame(hand.frame); link >= 0; link = robot.parent(link)) {
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, q);
-    const auto is_fixed = [&](int joint) { return J.col(joint).isZero(); };
-    if (std::all_of(arm.begin(), arm.end(), is_fixed)) break;
-    links.push_back(link);
-  }
-  std::reverse(links.begin(), links.end());
-  return links;
-}
 
 /// Sum of the distances between consecutive link origins, starting at the base. Each is the largest
 /// over the limits of all joints.
@@ -68,7 +55,8 @@ Reach arm_reach(const robot::Robot& robot, const Hand& hand, Eigen::VectorXd q) 
   for (const int joint : robot.group(hand.arm)) {
     q[joint] = (robot.lower()[joint] + robot.upper()[joint]) / 2;
   }
-  const std::vector<int> links = arm_links(robot, hand, q);
+  const std::vector<int> links =
+      robot::moved_links(robot, robot.group(hand.arm), robot.frame(hand.frame), q);
   const Eigen::Vector3d base_W = robot.pose(links.front(), q).translation();
   return {base_W, arm_length(robot, hand, links, base_W, q) + hand_size(robot, hand)};
 }

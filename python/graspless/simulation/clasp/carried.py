@@ -93,7 +93,7 @@ def start(
             yield from carried.steps()
             measures |= carried.measures
             failures += carried.failures
-        return Trial(variation, tuple(failures), measures, 0.0)
+        return Trial(variation, tuple(failures), measures, 0.0, touched=execution.touched)
 
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 

@@ -49,15 +49,15 @@ class Execution:
 
     Attributes
     ----------
-    touched : bool
-        Whether the robot touched an obstacle so far.
+    touched : tuple of str or None
+        The first obstacle that the robot touched, and what touched it.
     """
 
     def __init__(
         self, world: World, judge: Judge, hand: clasp.Hand, robot: Any, recorder: Recorder | None
     ) -> None:
         self.world, self.judge, self.recorder = world, judge, recorder
-        self.touched = False
+        self.touched: tuple[str, str] | None = None
         self._steps = max(1, round(LOOK / world.model.opt.timestep))
         self._fingers = np.array(robot.group(hand.hand))
         self._lags = lags(robot)
@@ -85,7 +85,7 @@ class Execution:
     def _observe(self, name: str) -> None:
         world = self.world
         mujoco.mj_kinematics(world.model, world.data)
-        self.touched = self.touched or world.touches_obstacle
+        self.touched = self.touched or world.touched()
         if self.recorder is not None:
             self.recorder.add(world, name)
 

@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from ..obstacles import add_obstacle
+from ..obstacles import add_obstacle, plain
 from ..robots import joint_addresses, robot_spec, set_positions
 from ..settings import Clasp, Solver
 from .object import OBJECT, OBJECT_BIT, STAND, add_object
@@ -68,15 +68,31 @@ class World:
         q: Matrix = self.data.qpos[self.joints].copy()
         return q
 
-    @property
-    def touches_obstacle(self) -> bool:
-        """True if the robot touches an obstacle; nothing else can touch fixed geoms."""
+    def touched(self) -> tuple[str, str] | None:
+        """Returns an obstacle that the robot touches, and what touches it, by name, or None.
+
+        Nothing else can touch fixed geoms.
+        """
         contact, model = self.data.contact, self.model
         geoms, skins = contact.geom, contact.flex  # -1 where a contact is not of one
         # The object's skin is the one that moves; those of meshes are fixed.
         own = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_FLEX, OBJECT)
         fixed = (geoms >= 0) & (model.geom_bodyid[geoms] == 0) | (skins >= 0) & (skins != own)
-        return bool((fixed.any(axis=1) & (contact.dist < 0)).any())
+        found = np.flatnonzero(fixed.any(axis=1) & (contact.dist < 0))
+        if not len(found):
+            return None
+        k = found[0]
+        first, second = (
+            self._name(geoms[k, side], skins[k, side]) for side in np.argsort(~fixed[k])
+        )
+        return first, second
+
+    def _name(self, geom: int, skin: int) -> str:
+        """Returns the name of the obstacle or link that a geom or, without one, a skin is of."""
+        if geom < 0:
+            return plain(mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_FLEX, int(skin)))
+        body = self.model.body(self.model.geom_bodyid[geom])
+        return str(body.name) if body.id else plain(self.model.geom(geom).name)
 
     def let_go(self) -> None:
         """Removes floor and gravity, so that the hand alone holds the object."""

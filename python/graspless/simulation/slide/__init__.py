@@ -75,7 +75,14 @@ def running(execution: Execution) -> Running:
 
     def steps() -> Generator[str, None, Trial]:
         yield from execution.steps()
-        return Trial(execution.variation, tuple(execution.judge.failures), execution.measures, 0.0)
+        judge = execution.judge
+        return Trial(
+            execution.variation,
+            tuple(judge.failures),
+            execution.measures,
+            0.0,
+            touched=judge.touched,
+        )
 
     return Running(execution.scene.model, execution.data, execution.object_pose, steps())
 
@@ -111,6 +118,7 @@ def _trial(execution: Execution, record: bool, start: float) -> Trial:
         execution.measures,
         time.perf_counter() - start,
         execution.recording() if record else None,
+        execution.judge.touched,
     )
 
 

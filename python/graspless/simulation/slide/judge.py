@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..obstacles import plain
 from .fingers import OTHER, PAD, SLIDING
 from .scene import EDGE, FOOT, HAND, NEIGHBOUR, OBJECT, OBSTACLE, TABLE
 
@@ -149,8 +150,8 @@ class Judge:
         if is_first:
             geoms = data.contact.geom[data.contact.dist < 0][index]
             model = self.scene.model
-            bodies = [model.body(model.geom_bodyid[g]).name for g in geoms]
-            self.touched = bodies[0], bodies[1]
+            first, second = (plain(model.body(model.geom_bodyid[g]).name) for g in geoms)
+            self.touched = first, second
 
     def tip_force(self, data: Any) -> float:
         """Returns the normal force of the pad on the object [N]."""

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot/moved_links.hpp"
+
+#include <algorithm>
+
+namespace graspless::robot {
+
+std::vector<int> moved_links(const Robot& robot, const std::vector<int>& joints, int link,
+                             const Eigen::VectorXd& q) {
+  std::vector<int> links;
+  for (; link >= 0; link = robot.parent(link)) {
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> J = robot.jacobian(link, q);
+    if (J(Eigen::all, joints).isZero()) break;
+    links.push_back(link);
+  }
+  std::reverse(links.begin(), links.end());
+  return links;
+}
+
+}  // namespace graspless::robot
