@@ -294,7 +294,7 @@ def test_limits_of_single_joints(tmp_path, capsys):
     for bad, words in (
         (["--velocity", "0.5", *of_two], "--velocity: should be one number, or one JOINT=V"),
         ([*of_two, *of_two], "--velocity: should be one number, or one JOINT=V"),
-        (["--velocity", "elbow=1"], "--velocity: elbow: no such joint (one of: wam_joint_1"),
+        (["--velocity", "elbow=1"], "--velocity: unknown joint 'elbow'; choose from wam_joint_1"),
         (["--acceleration", "wam_joint_1=0"], "--acceleration: wam_joint_1: 0.0: should be"),
     ):
         assert cli.main([*command, *bad]) == 2

@@ -12,7 +12,8 @@ namespace graspless::robot {
 int index_of(const std::string& name, const std::vector<std::string>& names,
              const std::string& what);
 
-/// Throws std::invalid_argument: "unknown link 'x'; choose from a, b, c".
+/// Throws std::invalid_argument: "unknown link 'tol0' (did you mean 'tool0'?); choose from base,
+/// tool0".
 [[noreturn]] void throw_unknown(const std::string& name, const std::vector<std::string>& names,
                                 const std::string& what);
 

@@ -235,17 +235,16 @@ def build_home(
         rest = None if others is None else built.state(others)
         if isinstance(robot.home, str):
             return np.array(built.state(robot.home, rest))
-    names = list(built.joint_names)
     if isinstance(robot.home, list):
-        if len(robot.home) != len(names):
-            what = f"has {len(robot.home)} values, not one for each of: {', '.join(names)}"
+        if len(robot.home) != built.dof:
+            names = ", ".join(built.joint_names)
+            what = f"has {len(robot.home)} values, not one for each of: {names}"
             raise source.error(location, what)
         return np.array(robot.home)
-    q_home = np.zeros(len(names)) if rest is None else np.array(rest)
+    q_home = np.zeros(built.dof) if rest is None else np.array(rest)
     for name, value in robot.home.items():
-        if name not in names:
-            raise source.error((*location, name), f"no such joint (one of: {', '.join(names)})")
-        q_home[names.index(name)] = value
+        with at(source, *location, name):
+            q_home[built.joint(name)] = value
     return q_home
 
 

@@ -127,11 +127,12 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
     """Returns limits [dof]: the values of the caller, and a default for other joints."""
     values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
     if isinstance(given, Mapping):
-        names = list(robot.joint_names)
         for joint, value in given.items():
-            if joint not in names:
-                raise TaskError(f"{name}: {joint}: no such joint (one of: {', '.join(names)})")
-            values[names.index(joint)] = _limit(f"{name}: {joint}", value)
+            try:
+                index = robot.joint(joint)
+            except ValueError as error:
+                raise TaskError(f"{name}: {error}") from None
+            values[index] = _limit(f"{name}: {joint}", value)
     elif given is not None:
         values[:] = _limit(name, given, ", or numbers by name of joint")
     return values

@@ -242,6 +242,8 @@ TEST(Robot, NamesAreCheckedAndChoicesListed) {
   EXPECT_CONTAINS(complaint([&] { robot.frame("elbow"); }),
                   "unknown link 'elbow'; choose from base_link");
   EXPECT_CONTAINS(complaint([&] { robot.joint("right_finger_joint"); }), "choose from wam_joint_1");
+  EXPECT_CONTAINS(complaint([&] { robot.joint("WAM_joint3"); }),
+                  "unknown joint 'WAM_joint3' (did you mean 'wam_joint_3'?); choose from");
   EXPECT_CONTAINS(complaint([&] { robot.group("leg"); }), "choose from arm, hand");
   EXPECT_CONTAINS(complaint([&] { robot.state("asleep"); }), "choose from closed, home, open");
   EXPECT_CONTAINS(complaint([&] { robot.parent(99); }), "99");
