@@ -10,9 +10,9 @@ test:  ## C++ and Python tests
 	@tools/install test,all GRASPLESS_TESTS=ON
 	@tools/install-bench
 	@.venv/bin/pip install --quiet --no-deps "airo-models>=0.0.12" "example-robot-data>=6" "rtb-data>=2"  # robots for tests: data alone
-	ctest --test-dir build/make --output-on-failure --no-tests=error
+	ctest --test-dir build/make --output-on-failure --no-tests=error --parallel "$$(nproc)"
 	@tools/test-ros
-	.venv/bin/pytest
+	.venv/bin/pytest --numprocesses=logical --maxprocesses=8 --dist=loadfile
 
 lint:  ## what a commit must pass: ruff, mypy, clang-format, codespell
 	@tools/install lint,all

@@ -56,9 +56,9 @@ class Robot:
         """
         Returns True if q, (dof,), is within the joint limits, up to tolerance [rad or m].
         """
-    def jacobian(self, frame: str | typing.SupportsInt | typing.SupportsIndex, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+    def jacobian(self, frame: str | typing.SupportsInt | typing.SupportsIndex, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """
-        Returns the Jacobian of a link's origin in the world, (6, dof), at q, (dof,); linear rows first.
+        Returns the Jacobian of a link's origin in the world, (6, dof), at q, (dof,); linear rows first. At many configurations, (N, dof), it is (N, 6, dof).
         """
     def joint(self, name: str) -> int:
         """
