@@ -16,11 +16,7 @@ constexpr double kUnnoticed = 20e6;  // [bytes]
 }  // namespace
 
 Clock::Clock(const Budget& budget, double max_memory)
-    : budget_(budget),
-      max_memory_(max_memory),
-      start_(Steady::now()),
-      next_poll_(start_),
-      memory_at_start_(std::isfinite(max_memory) ? resident_memory() : 0) {
+    : budget_(budget), max_memory_(max_memory), start_(Steady::now()), next_poll_(start_) {
   require_in_range("budget.", budget);
 }
 
@@ -45,7 +41,9 @@ bool Clock::is_out() {
 void Clock::look() {
   interrupted_ = budget_.interrupted && budget_.interrupted();
   if (!std::isfinite(max_memory_)) return;
-  const double taken = resident_memory() + announced_memory() - memory_at_start_;
+  const double resident = resident_memory();
+  if (!memory_at_start_) memory_at_start_ = resident;
+  const double taken = resident - *memory_at_start_ + announced_memory();
   out_of_memory_ = taken > max_memory_ + kUnnoticed;
 }
 

@@ -79,7 +79,7 @@ class GRASPLESS_API Clock {
   double max_memory_;
   Steady::time_point start_, next_poll_;
   std::optional<Steady::time_point> out_since_;
-  double memory_at_start_;
+  std::optional<double> memory_at_start_;  // at the first look [bytes]
   std::int64_t iterations_ = 0;
   bool interrupted_ = false;
   bool out_of_memory_ = false;
