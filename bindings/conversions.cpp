@@ -148,7 +148,8 @@ Configurations to_configurations(const Array& rows, const std::string& name) {
   require_finite(rows, name);
   Configurations result;
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    result.emplace_back(Eigen::Map<const Eigen::VectorXd>(rows.data(i, 0), rows.shape(1)));
+    const double* row = rows.data() + i * rows.shape(1);  // there may be no columns
+    result.emplace_back(Eigen::Map<const Eigen::VectorXd>(row, rows.shape(1)));
   }
   return result;
 }

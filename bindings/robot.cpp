@@ -182,18 +182,19 @@ void bind_description(py::module_& m) {
 
 /// One Jacobian (6, dof) for q (dof,), or N of them for q (N, dof).
 py::array_t<double> jacobians(const Robot& robot, int frame, const Array& q) {
-  if (q.ndim() != 2) {
+  if (q.ndim() == 1) {
     return py::cast(Rows(robot.jacobian(frame, to_configuration(robot, q, "q"))));
   }
+  const Configurations rows = to_configurations(q, "q");
   if (q.shape(1) != robot.dof()) {
     throw std::invalid_argument("q should have " + std::to_string(robot.dof()) +
                                 " columns, one for each joint of '" + robot.name() + "', not " +
                                 std::to_string(q.shape(1)));
   }
-  const Configurations rows = to_configurations(q, "q");
   py::array_t<double> result({q.shape(0), py::ssize_t{6}, q.shape(1)});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    Eigen::Map<Rows>(result.mutable_data(static_cast<py::ssize_t>(i), 0, 0), 6, robot.dof()) =
+    const auto size = static_cast<std::size_t>(6 * robot.dof());
+    Eigen::Map<Rows>(result.mutable_data() + i * size, 6, robot.dof()) =
         robot.jacobian(frame, rows[i]);
   }
   return result;

@@ -181,7 +181,7 @@ void bind_scene(py::module_ m) {
       "Tests a robot's links against each other in random configurations within its limits.\n\n"
       "Returns two lists of pairs of link indices: those that touch in at least 95 % of the "
       "samples, and those for which no contact was found, neither in the samples nor, with more "
-      "than three joints between the links, by minimizing their distance from three "
+      "than three joints between the links, by minimizing their distance from twelve "
       "configurations. links: indices; only pairs with one of them are tested. Raises ValueError "
       "unless 0 < samples <= 10^6 and the links exist.");
 }

@@ -42,6 +42,8 @@ def test_jacobians_of_many_configurations_are_those_of_each(wam, q_home):
     each = [wam.jacobian("left_fingertip", q) for q in rows]
     np.testing.assert_array_equal(wam.jacobian("left_fingertip", rows), each)
     assert wam.jacobian("left_fingertip", rows[:0]).shape == (0, 6, wam.dof)
+    fixed = Robot.from_urdf("<robot name='fixed'><link name='base'/></robot>")
+    assert fixed.jacobian("base", np.zeros((3, 0))).shape == (3, 6, 0)
     with pytest.raises(ValueError, match=f"q should have {wam.dof} columns.*not {wam.dof - 1}"):
         wam.jacobian("left_fingertip", rows[:, 1:])
     with pytest.raises(ValueError, match=r"q has shape \(1, 5, "):

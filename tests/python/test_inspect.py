@@ -270,7 +270,7 @@ def test_two_hands_are_asked_about():
         robot.inspect(read(urdf))
     found = robot.inspect(read(urdf), palm="b_palm")
     assert all(found.robot.joint_names[i].startswith("b_") for i in found.robot.group("arm"))
-    with pytest.raises(ValueError, match="palm: c_palm: no such link"):
+    with pytest.raises(ValueError, match="palm: unknown link 'c_palm'"):
         robot.inspect(read(urdf), palm="c_palm")
 
 

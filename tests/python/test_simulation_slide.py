@@ -351,14 +351,24 @@ def test_an_object_over_the_edge_falls(plan):
     assert "position_error" not in execution.measures
 
 
-def test_what_stands_in_the_way_is_hit(plan):
+def test_a_box_stands_on_the_obstacle_where_it_is_put_down():
+    plan = graspless.plan(_data.directory("examples") / "26_pinch_then_place.yaml")
+    trial = graspless.simulate(plan).trials[0]
+    assert (trial.failures, trial.touched) == ((), None)
+    assert trial.measures["place_error"] < 0.01
+
+
+@pytest.mark.parametrize("name", ["post", "neighbour", "pad", "table top"])
+def test_what_stands_in_the_way_is_hit(plan, name):
+    """Whatever its name is."""
     X_WO = np.array(plan.segments[2].object_poses[len(plan.segments[2]) // 2])
     box = geometry.PlacedShape(geometry.Box(np.array([0.02, 0.02, 0.04])))
-    obstacle = graspless.slide.Obstacle("post", [box], frames.translation(X_WO[:3, 3]))
+    obstacle = graspless.slide.Obstacle(name, [box], frames.translation(X_WO[:3, 3]))
     execution = Execution(changed(plan, obstacles=[obstacle]), Variation(), Slide())
     execution.run("slide")
     assert "hit" in execution.judge.failures
-    assert "post" in execution.judge.touched
+    assert execution.judge.touched[0] == name
+    assert execution.judge.touched[1] in ["object", *plan.task.problem.robot.frame_names]
     assert set(FAILURES) >= set(execution.judge.failures)
 
 

@@ -98,7 +98,11 @@ FAULTS = [
     (("wam_t42", "wam_t43"), 3, r"robot.urdf: wam_t43: no such file, nor .*kr5_t42"),
     ((HOME, f"{HOME}\n  pose: {{position: [1.0e9, 0, 0]}}"), 5, r"robot.pose: must be .* 1e4 m"),
     (("height: 0.0", "height: 0.0\n  friction: 30"), 13, r"support.friction: .*"),
-    (("joint_2", "joint_9"), 4, r"robot.home.wam_joint_9: .*: unknown joint .*did you mean 'wam_joint_1'"),
+    (
+        ("joint_2", "joint_9"),
+        4,
+        r"robot.home.wam_joint_9: .*: unknown joint 'wam_joint_9'; choose from wam_joint_1",
+    ),
     (("wam_joint_4: 1.6", "wam_joint_4: 9"), 4, r"robot.home: .*wam_joint_4.*limits"),
     ((HOME, "home: sleeping"), 4, r"robot.home: sleeping: .*open"),
     ((HOME, "home: [0, 0]"), 4, r"robot.home: .*2 values"),

@@ -429,6 +429,7 @@ def test_limits_beside_those_of_the_urdf():
         ("push", {"max_jerk": 5.0}, ["max_jerk", "moves no joints"]),
         ("slide", {"max_acceleration": {"wam_joint_1": float("inf")}}, ["wam_joint_1", "inf"]),
         ("slide", {"max_velocity": {"elbow": 1}}, ["max_velocity", "elbow", "wam_joint_7"]),
+        ("slide", {"max_velocity": {0: 1.0}}, ["max_velocity", "0", "name of a joint"]),
         ("slide", {"contact_speed": -0.1}, ["contact_speed", "-0.1"]),
         ("slide", {"rate": 0}, ["rate", "0"]),
         ("slide", {"pause": 0}, ["pause", "0"]),

@@ -6,34 +6,47 @@
 #include <cctype>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace graspless::robot {
 namespace {
 
-/// Letters to insert, remove or replace between two names, whatever their case (Levenshtein).
+constexpr std::size_t kLongest = 100;  // name with a hint [letters]
+
+/// Letters to insert, remove, replace or swap with the next one between two names, whatever their
+/// case (Damerau and Levenshtein).
 std::size_t edits(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  std::vector<std::size_t> row(b.size() + 1);
+  const auto differ = [](char c, char d) {
+    return std::tolower(static_cast<unsigned char>(c)) !=
+           std::tolower(static_cast<unsigned char>(d));
+  };
+  std::vector<std::size_t> last, row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
+    const std::vector<std::size_t> before = std::exchange(last, row);
+    row[0] = i + 1;
     for (std::size_t k = 0; k < b.size(); ++k) {
-      const std::size_t replaced = diagonal + (lower(a[i]) != lower(b[k]));
-      diagonal = row[k + 1];
-      row[k + 1] = std::min({replaced, row[k] + 1, row[k + 1] + 1});
+      row[k + 1] = std::min({last[k] + differ(a[i], b[k]), row[k] + 1, last[k + 1] + 1});
+      if (i > 0 && k > 0 && !differ(a[i], b[k - 1]) && !differ(a[i - 1], b[k])) {
+        row[k + 1] = std::min(row[k + 1], before[k - 1] + 1);
+      }
     }
   }
   return row.back();
 }
 
-/// " (did you mean 'tool0'?)", or nothing where no name is like this one.
+/// " (did you mean 'tool0'?)", or nothing unless one name is more like this one than all others.
 std::string hint(const std::string& name, const std::vector<std::string>& names) {
-  const auto fewer = [&](const std::string& a, const std::string& b) {
-    return edits(name, a) < edits(name, b);
-  };
-  const auto closest = std::min_element(names.begin(), names.end(), fewer);
-  if (closest == names.end() || 3 * edits(name, *closest) > name.size()) return "";
-  return " (did you mean '" + *closest + "'?)";
+  if (name.size() > kLongest) return "";
+  const std::string* closest = nullptr;
+  std::size_t fewest = name.size() / 3 + 1;
+  for (const std::string& choice : names) {
+    if (choice.size() > name.size() + name.size() / 3) continue;
+    const std::size_t changes = edits(name, choice);
+    if (changes <= fewest) closest = changes < fewest ? &choice : nullptr;
+    fewest = std::min(fewest, changes);
+  }
+  return closest ? " (did you mean '" + *closest + "'?)" : "";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "graspless/scene/link_contacts.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -19,8 +20,8 @@ constexpr int kLeastFirst = 50;    // samples that decide about pairs that touch
 constexpr int kEnoughNear = 2000;  // samples in which a pair's boxes meet, but it does not touch
 constexpr double kAlways = 0.95;   // of the samples, as MoveIt's set-up assistant
 constexpr int kFewJoints = 3;      // between two links: the samples cover their motion
-constexpr int kDescents = 3;       // towards contact, for each pair with more joints
-constexpr int kSteps = 150;        // of a descent
+constexpr int kDescents = 12;      // towards contact, for each pair with more joints
+constexpr int kSteps = 200;        // of a descent
 
 /// A pair that is still tested, with the number of samples in which its boxes met, and it touched.
 struct OpenContact {
@@ -46,13 +47,15 @@ class ContactSampler {
     for (const OpenContact& contact : open_) {
       if (contact.touched >= kAlways * first) found.always.push_back(links(contact.pair));
     }
+    std::vector<int> apart;  // pairs without contact in the samples
     for (int i = first; i < samples && !open_.empty(); ++i) {
-      close_decided(found.never);
+      close_decided(apart);
       test(i);
     }
-    close_decided(found.never);
-    for (const OpenContact& contact : open_) {
-      if (!can_touch(contact.pair)) found.never.push_back(links(contact.pair));
+    close_decided(apart);
+    for (const OpenContact& contact : open_) apart.push_back(contact.pair);
+    for (const int pair : apart) {
+      if (!can_touch(pair)) found.never.push_back(links(pair));
     }
     std::sort(found.never.begin(), found.never.end());
     return found;
@@ -99,28 +102,36 @@ class ContactSampler {
 
   bool descends_to_contact(int pair, const std::vector<Eigen::Index>& joints) {
     std::normal_distribution<double> normal;
-    double least = distance(pair), width = 0.2;
-    for (int step = 0; step < kSteps && least > 0; ++step) {
+    double least = gap(pair), width = 0.2;
+    for (int step = 0; step < kSteps && least >= 0; ++step) {
       const Eigen::VectorXd before = q_;
       for (const Eigen::Index i : joints) {
         const double lower = robot_.lower()[i], upper = robot_.upper()[i];
         q_[i] = std::clamp(q_[i] + width * (upper - lower) * normal(rng_), lower, upper);
       }
-      if (const double now = distance(pair); now < least) {
-        least = now;
-        width = std::min(1.5 * width, 0.3);
-      } else {
-        q_ = before;
-        width *= 0.9;
-      }
+      const double now = gap(pair);
+      width = now < least ? std::min(1.5 * width, 0.3) : std::max(0.9 * width, 0.001);
+      if (now > least) q_ = before;
+      least = std::min(now, least);
     }
-    place();
-    return scene_.world().touches(pair);
+    return least < 0;
   }
 
-  double distance(int pair) {
-    place();
-    return scene_.world().distance_bound(pair);
+  /// What a descent reduces [m]: a rough bound on the distance while the boxes are apart, then one
+  /// from convex hulls; 0 where they overlap, and negative in contact.
+  double gap(int pair) {
+    constexpr double kApart = 100;  // beyond all distances from hulls [m]
+    const auto [a, b] = links(pair);
+    for (const int link : {a, b}) {
+      robot_.forward_to(link, q_, X_WL_);
+      scene_.world().set_pose(scene_.link_body(link), X_WL_[static_cast<std::size_t>(link)]);
+    }
+    const double rough = scene_.world().distance_bound(pair);
+    if (rough > 0) return kApart + rough;
+    const double hulls =
+        scene_.world().proven_distance(pair, std::numeric_limits<double>::infinity());
+    if (hulls > 0) return hulls;
+    return scene_.world().touches(pair) ? -1 : 0;
   }
 
   void place() {
@@ -131,9 +142,9 @@ class ContactSampler {
     }
   }
 
-  void close_decided(std::vector<std::pair<int, int>>& never) {
+  void close_decided(std::vector<int>& apart) {
     const auto is_decided = [&](const OpenContact& contact) {
-      if (contact.touched == 0 && contact.near >= kEnoughNear) never.push_back(links(contact.pair));
+      if (contact.touched == 0 && contact.near >= kEnoughNear) apart.push_back(contact.pair);
       return contact.touched > 0 || contact.near >= kEnoughNear;
     };
     open_.erase(std::remove_if(open_.begin(), open_.end(), is_decided), open_.end());

@@ -289,7 +289,7 @@ class _Builder:
         found = find_pairs(self.tree, self.palm, self.arm.base)
         always, never = (sum(r == why for r in found.values()) for why in ("Always", "Never"))
         shown = f"{always} always, {never} never in contact"
-        self.find("disable_collisions", shown, "in random configurations")
+        self.find("disable_collisions", shown, "in random configurations and by descent")
         return found
 
 

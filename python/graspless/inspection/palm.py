@@ -79,10 +79,11 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
     if not tree.points:
         raise ValueError("no link has a collision shape, so a hand cannot be found")
     if link is not None:
-        if link not in tree.links:
-            known = ", ".join(tree.links)
-            raise ValueError(f"palm: {link}: no such link (one of: {known})")
-        return _palm_at(tree, tree.body(tree.links.index(link)))
+        try:
+            index = tree.robot.frame(link)
+        except ValueError as error:
+            raise ValueError(f"palm: {error}") from None
+        return _palm_at(tree, tree.body(index))
     forks = [body for body in tree.members if len(_shaped(tree, body)) > 1]
     last = [body for body in forks if not any(b in forks for b in tree.below(body)[1:])]
     if len(last) > 1:

@@ -49,9 +49,9 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
 
 
 def _bodies(failure: str, found: Simulation) -> str:
-    """Returns the names of what touched, in brackets; empty for other failures."""
+    """Returns the names of the bodies that touched, in brackets; empty for other failures."""
     pairs = [trial.touched for trial in found.trials if failure in trial.failures and trial.touched]
-    if failure not in ("hit", "touched") or not pairs:
+    if failure != "hit" or not pairs:
         return ""
     (most, _), *others = Counter(pairs).most_common()
     more = f", and {count(len(others), 'other pairs')}" if others else ""

@@ -73,7 +73,7 @@ class Trial:
     recording : Recording or None
         Recording, if requested.
     touched : tuple of str or None
-        Names of two bodies, of the first contact that must not be; None in fingertip plans.
+        Names of the two bodies of the first forbidden contact; None in fingertip plans.
     """
 
     variation: Variation

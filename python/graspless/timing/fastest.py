@@ -38,7 +38,8 @@ FINAL_CHECKS = 24
 REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
 ACCEPTED = 0.01  # relative excess above which the grid is refined
-HELPED = 0.7  # of an excess that may be left for another refinement
+LITTLE = 0.025  # relative excess below which a refinement that leaves
+HELPED = 0.7  # of it is the last one
 
 
 @np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion.made
@@ -46,8 +47,8 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
     """Returns a fast motion along `path` whose limits hold at every moment.
 
     toppra evaluates limits at the points of a grid. Where they are exceeded between two points,
-    the grid is refined and the speed there is reduced, as long as that helps. The remaining excess
-    slows down the whole motion.
+    the grid is refined and the speed there is reduced. A small excess is refined only as long as
+    that helps. The remaining excess slows down the whole motion.
     """
     grid, window = path.grid(), _window(zones)
     slowed = np.ones(len(grid))
@@ -68,7 +69,7 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
         motion, excess = _solved(path, zones, grid, slowed, window)
         if motion.duration * (1 + excess.max()) < best[1].duration * (1 + best[2]):
             best = grid, motion, excess.max()
-        if excess.max() > HELPED * before:
+        if HELPED * before < excess.max() <= LITTLE:
             break
     grid, motion, most = best
     times = _moments(motion, grid, FINAL_CHECKS)
@@ -135,11 +136,10 @@ def _limits(
         reach = speed * window / 2
         first = np.searchsorted(grid, grid - reach, "left")
         last = np.searchsorted(grid, grid + reach, "right")
-        counts = last - first
-        by = np.repeat(np.arange(len(grid)), counts)
-        at = np.arange(len(by)) + np.repeat(first - np.cumsum(counts) + counts, counts)
-        np.minimum.at(speed, at, speed[by])
-        np.minimum.at(acceleration, at, most.acceleration[by])
+        of_point = speed.copy()
+        for k, (i, j) in enumerate(zip(first, last, strict=True)):
+            np.minimum(speed[i:j], of_point[k], out=speed[i:j])
+            np.minimum(acceleration[i:j], most.acceleration[k], out=acceleration[i:j])
     return speed, acceleration
 
 

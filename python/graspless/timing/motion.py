@@ -74,7 +74,7 @@ class Motion:
         return self.coordinates_at(self.at(t))
 
     def coordinates_at(self, at: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
-        """Returns the same from what `at` returns [4, N]."""
+        """Returns the same, given the result [4, N] of `at`."""
         s, (v, a, j) = at[0], at[1:, :, None]
         d1, d2, d3 = (self.path(s, order) for order in (1, 2, 3))
         return self.path(s), d1 * v, d2 * v**2 + d1 * a, d3 * v**3 + 3 * d2 * v * a + d1 * j

@@ -128,6 +128,8 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
     values: Matrix = np.broadcast_to(np.asarray(default, dtype=float), (robot.dof,)).copy()
     if isinstance(given, Mapping):
         for joint, value in given.items():
+            if not isinstance(joint, str):
+                raise TaskError(f"{name}: {joint!r}: should be the name of a joint")
             try:
                 index = robot.joint(joint)
             except ValueError as error:

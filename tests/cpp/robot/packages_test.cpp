@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 class Packages : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / "packages_test";
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / ("packages_" + std::string(test->name()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "robots" / "arm" / "urdf");
   }

@@ -244,6 +244,12 @@ TEST(Robot, NamesAreCheckedAndChoicesListed) {
   EXPECT_CONTAINS(complaint([&] { robot.joint("right_finger_joint"); }), "choose from wam_joint_1");
   EXPECT_CONTAINS(complaint([&] { robot.joint("WAM_joint3"); }),
                   "unknown joint 'WAM_joint3' (did you mean 'wam_joint_3'?); choose from");
+  EXPECT_CONTAINS(complaint([&] { robot.group("amr"); }), "(did you mean 'arm'?)");
+  EXPECT_CONTAINS(complaint([&] { robot.joint("wam_joint_9"); }),
+                  "unknown joint 'wam_joint_9'; choose from");
+  const std::string longer(20000, 'a');
+  EXPECT_CONTAINS(complaint([&] { robot.joint(longer); }), "a'; choose from");
+  EXPECT_CONTAINS(complaint([&] { robot.joint(""); }), "unknown joint ''; choose from");
   EXPECT_CONTAINS(complaint([&] { robot.group("leg"); }), "choose from arm, hand");
   EXPECT_CONTAINS(complaint([&] { robot.state("asleep"); }), "choose from closed, home, open");
   EXPECT_CONTAINS(complaint([&] { robot.parent(99); }), "99");

@@ -79,10 +79,14 @@ std::string two_arms(double apart) {
 }
 
 TEST(LinkContacts, FindsContactsThatAreTooRareForSamples) {
-  for (const auto& [apart, contacts] : {std::pair{1.5, 0U}, std::pair{2.0, 1U}}) {
-    const auto robot = robot::Robot::from_urdf(two_arms(apart), {});
-    EXPECT_EQ(sample_contacts(robot, 500).never.size(), contacts) << apart;
+  const auto near = robot::Robot::from_urdf(two_arms(1.5), {});
+  const auto far = robot::Robot::from_urdf(two_arms(2.0), {});
+  std::size_t missed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    missed += sample_contacts(near, 500, seed).never.size();
+    EXPECT_EQ(sample_contacts(far, 500, seed).never.size(), 1U);
   }
+  EXPECT_LE(missed, 1U);
 }
 
 TEST(LinkContacts, RefusesCountsOutOfRange) {

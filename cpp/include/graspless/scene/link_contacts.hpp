@@ -21,9 +21,9 @@ struct LinkContacts {
 /// configurations within the joint limits. Half of the configurations are uniform. In the other
 /// half, each joint is at one of its limits with a probability of 1/2. The first fiftieth of the
 /// samples, but at least 50, decides about pairs that touch; a pair that has been near without
-/// contact in 2000 samples is not tested further. Samples hardly ever show two hands in contact: of
-/// pairs without contact and with more than three joints between them, the distance is minimized
-/// from three configurations. The same seed gives the same result.
+/// contact in 2000 samples is not sampled further. Samples hardly ever show two hands in contact.
+/// The distance of a pair that has shown none, with more than three joints between its links, is
+/// therefore minimized from twelve configurations. The same seed gives the same result.
 /// With `links` (frame indices), only pairs with at least one of them are tested. Throws
 /// std::invalid_argument unless 0 < samples <= 10^6 and the links exist.
 GRASPLESS_API LinkContacts sample_contacts(const robot::Robot& robot, int samples = 10000,

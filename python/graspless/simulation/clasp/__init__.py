@@ -113,7 +113,8 @@ def _prepare(
             pulled, found = _pulled(execution, seeds, _pull_direction(pull_W, execution.judge))
             measures |= found
             failures += pulled
-        return Trial(variation, tuple(failures), measures, 0.0, touched=execution.touched)
+        touched = execution.touched if "hit" in failures else None
+        return Trial(variation, tuple(failures), measures, 0.0, touched=touched)
 
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 

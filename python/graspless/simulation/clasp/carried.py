@@ -93,7 +93,8 @@ def start(
             yield from carried.steps()
             measures |= carried.measures
             failures += carried.failures
-        return Trial(variation, tuple(failures), measures, 0.0, touched=execution.touched)
+        touched = execution.touched if "hit" in failures else None
+        return Trial(variation, tuple(failures), measures, 0.0, touched=touched)
 
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 

@@ -11,7 +11,6 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from ..obstacles import plain
 from .fingers import OTHER, PAD, SLIDING
 from .scene import EDGE, FOOT, HAND, NEIGHBOUR, OBJECT, OBSTACLE, TABLE
 
@@ -145,13 +144,23 @@ class Judge:
         return self._kind[geoms[touching, 0]], self._kind[geoms[touching, 1]]
 
     def _note_contact(self, data: Any, index: int, failure: str) -> None:
-        is_first = failure not in self.failures and (failure == "hit" or self.touched is None)
         self.note(failure)
-        if is_first:
+        if self.touched is None:
             geoms = data.contact.geom[data.contact.dist < 0][index]
-            model = self.scene.model
-            first, second = (plain(model.body(model.geom_bodyid[g]).name) for g in geoms)
-            self.touched = first, second
+            robot = (0, self._rest, *self._fingers, self._pad)
+            first, second = sorted(geoms, key=lambda geom: self._kind[geom] in robot)
+            self.touched = self._name(first), self._name(second)
+
+    def _name(self, geom: int) -> str:
+        """Returns the name of the link, of the obstacle or of another body that a geom is of."""
+        model = self.scene.model
+        body = model.body(model.geom_bodyid[geom])
+        if self._kind[geom] in (*self._fingers, self._pad) and body.name in (SLIDING, OTHER):
+            return str(model.body(body.parentid[0]).name)  # the link that bends here
+        what, _, rest = str(body.name).partition(" ")
+        number, _, name = rest.partition(" ")
+        is_obstacle = what in (OBSTACLE, TABLE) and number.isdigit()
+        return name if is_obstacle else str(body.name)
 
     def tip_force(self, data: Any) -> float:
         """Returns the normal force of the pad on the object [N]."""

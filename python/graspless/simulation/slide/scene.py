@@ -86,7 +86,7 @@ def build_scene(
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         what = TABLE if obstacle.name == standing else OBSTACLE
         if truth is None or what == TABLE:
-            _add_obstacle(spec, obstacle, f"{obstacle.name} {i}", what)
+            _add_obstacle(spec, obstacle, f"{what} {i} {obstacle.name}", what)
     if truth is None:
         _add_object(spec, problem.object, X_WO, variation, settings)
     else:
