@@ -112,6 +112,15 @@ def test_check_refuses_a_plan_whose_load_has_grown(plan, tmp_path):
     assert main(["check", "heavy.json"]) == 1
 
 
+def test_a_weight_beyond_the_tests_is_refused(task):
+    ball = {"points": ring(0.02).tolist(), "mass": 150}
+    with (
+        pytest.warns(UserWarning, match="no SRDF"),
+        pytest.raises(graspless.TaskError, match=r"object.mass: 150.*: a hand of two .* 100 kg"),
+    ):
+        graspless.load_task(task(object=ball, options={}))
+
+
 def test_the_load_is_the_weight_of_the_object(task):
     ball = {"points": ring(0.02).tolist(), "mass": 3.0}
     with pytest.warns(UserWarning, match="no SRDF"):

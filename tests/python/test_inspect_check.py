@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Faults of descriptions: none in what inspect proposes, and those that hide behind others."""
 
+import re
+
 import pytest
 
 import inspect_common as small
@@ -64,6 +66,26 @@ def test_touching_fingers_are_found_behind_a_touching_arm(knobs):
     assert set(first_pair(made)) == {"link_2", "wrist"}
     assert "open: left and right touch" in found_in(made, knobs.hand)
     assert "open: left and right touch" in found_in_clasp(made, knobs.clasp)
+
+
+def test_a_home_that_cannot_be_used_or_touches_is_told(knobs):
+    made, srdf = knobs.robot, knobs.srdf
+    joint, value = next(iter(zip(made.joint_names, made.state("home"), strict=True)))
+    text = f'<joint name="{joint}" value="{value:.9g}"/>'
+    assert text in srdf
+    faulty = srdf.replace(text, f'<joint name="{joint}" value="99"/>')
+    (fault,) = found_in(robot.Robot.from_urdf(knobs.urdf, srdf=faulty), knobs.hand)
+    assert fault.startswith("home: state 'home' cannot be used: ")
+    assert f"joint '{joint}': 99 is outside its limits" in fault
+    assert fault.endswith("set robot.home in tasks, or mend or remove this state")
+    zeros = re.sub(r'value="[^"]*"', 'value="0"', srdf.split('name="home" group="arm"')[1])
+    touching = srdf.split('name="home" group="arm"')[0] + 'name="home" group="arm"' + zeros
+    given = robot.Robot.from_urdf(knobs.urdf, srdf=touching)
+    (fault,) = found_in(given, knobs.hand)
+    assert fault == "home: link_2 and wrist touch"
+    rows = {finding.field: finding for finding in robot.inspect(given).findings}
+    assert rows["state home"].reason == "link_2 and wrist touch there"
+    assert not rows["state home"].is_sure
 
 
 def test_what_the_planner_refuses_is_told():

@@ -17,6 +17,7 @@ import yaml
 import graspless
 from graspless import _data, frames, geometry, slide
 from graspless.errors import TaskError
+from graspless.simulation import pinch
 from graspless.simulation.robots import apply
 from graspless.simulation.settings import Slide, Solver
 from graspless.simulation.slide import FAILURES, MEASURES
@@ -109,6 +110,14 @@ def test_a_pad_without_mass_belongs_to_the_finger_that_carries_it(tmp_path):
     trial = graspless.simulate(plan).trials[0]
     assert trial.measures["position_error"] < 0.003
     assert trial.measures["lift_height"] > 0.09
+
+
+def test_a_wrist_that_sags_under_the_object_has_lifted_it():
+    document = yaml.safe_load((_data.directory("examples") / "25_pinch_box.yaml").read_text())
+    document["hand"], document["object"]["mass"] = {"finger_model": "rigid_guarded"}, 0.5
+    trial = pinch.run(graspless.plan(document), Variation(), settings=Slide(guarded_stiffness=300))
+    assert trial.failures == ()
+    assert trial.measures["lift_height"] < Slide().kept_height
 
 
 def test_a_link_without_inertia_is_named(tmp_path):

@@ -15,7 +15,7 @@ import mujoco
 import numpy as np
 
 from .. import files, frames
-from ..simulation.robots import set_positions
+from ..simulation.robots import compiled, set_positions
 from .fingers import centers
 from .mujoco_scene import FINGER, OBJECT, build
 
@@ -35,7 +35,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 def text(trajectory: Trajectory) -> str:
     """Returns the MJCF."""
     spec, robot = build(trajectory)
-    model = spec.compile()
+    model = compiled(spec)
     last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
     names = [f"{i}_{s.name}" for i, s in enumerate(trajectory.segments)]
     for name, k in zip(["start", *names], [0, *last], strict=True):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import scene
 from .._core import robot as robots
 from .._core import slide
 from .arm import find_arm, find_home, often_touching
@@ -17,7 +18,7 @@ from .fist import find_fist
 from .grip import describe_grip
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
-from .pairs import find_pairs
+from .pairs import find_pairs, touching
 from .palm import Palm, find_palm
 from .proposal import Finding, Proposal
 from .tips import (
@@ -264,7 +265,13 @@ class _Builder:
 
     def _home(self, pairs: dict[Pair, str]) -> list[tuple[str, str, dict[str, float]]]:
         """Home of the arm. Adds pairs that touch in most configurations if there is none else."""
-        if not self.arm.joints or self.tree.state("home", self.arm.joints) is not None:
+        if not self.arm.joints:
+            return []
+        if self.tree.state("home", self.arm.joints) is not None:
+            q = np.asarray(self.robot.state("home", self.open))
+            hits = touching(scene.Scene(self.robot), set(self.tree.links), q)
+            for a, b in sorted(pair for pair in hits if pair not in pairs)[:1]:
+                self.find("state home", "that of the SRDF", f"{a} and {b} touch there", False)
             return []
         if "home" in self.tree.states and "home" not in self.robot.state_names:
             self.find("state home", "none", "that of the SRDF is faulty", False)

@@ -53,7 +53,7 @@ def faults(robot: Robot, hand: slide.Hand, pitch: float | None = None) -> list[s
     found = examined.of_links() or [
         *examined.of_frames(),
         *examined.of_states(),
-        *_of_home(robot, hand.open),
+        *_of_home(examined.tree, hand.open),
     ]
     return found or _of_planner(robot, hand, pitch)
 
@@ -84,10 +84,11 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
             if not _is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
     links = [robot.frame(node.link) for finger in curves.values() for node in finger.nodes]
+    tree = Tree(robot)
     for number, state in enumerate((hand.open, *hand.pre_shapes)):
         field = f"open[{number}]" if hand.pre_shapes else "open"
-        found += [f"{field}: {text}" for text in _of_open(Tree(robot), links, state)]
-    return [*found, *_of_home(robot, hand.open)]
+        found += [f"{field}: {text}" for text in _of_open(tree, links, state)]
+    return [*found, *_of_home(tree, hand.open)]
 
 
 def _is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
@@ -199,10 +200,16 @@ def _of_open(tree: Tree, links: list[int], state: str) -> Iterator[str]:
         yield f"{a} and {b} touch"
 
 
-def _of_home(robot: Robot, state: str) -> Iterator[str]:
+def _of_home(tree: Tree, state: str) -> Iterator[str]:
     """Names links that touch at home with the hand open, as at the start of a task."""
-    if "home" not in robot.state_names:
+    if "home" not in tree.states:
         return
-    pair = scene.Scene(robot).collision(np.asarray(robot.state("home", robot.state(state))))
+    robot = tree.robot
+    try:
+        q = np.asarray(robot.state("home", robot.state(state)))
+    except ValueError as error:
+        yield f"home: {error}; set robot.home in tasks, or mend or remove this state"
+        return
+    pair = scene.Scene(robot).collision(q)
     if pair is not None:
         yield f"home: {pair[0]} and {pair[1]} touch"

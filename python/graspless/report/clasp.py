@@ -109,7 +109,8 @@ def _caged(found: Certificate) -> str:
     thick = "a loop of unknown thickness"
     if found.thickness > 0:
         thick = f"a loop {1000 * found.thickness:.1f} mm thick"
-    gap = f"the gap of {1000 * found.gap:.1f} mm between {first} and {second}"
+    sides = f"{first} and {second}" if first != second else f"parts of {first}"
+    gap = f"the gap of {1000 * found.gap:.1f} mm between {sides}"
     opening = f"opening {1000 * found.lower:.1f} to {1000 * found.upper:.1f} mm"
     if found.caged:
         return f"caged: {thick} does not pass {gap} ({opening})"

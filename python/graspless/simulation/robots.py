@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ET
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,6 +23,23 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..robot import Robot
     from ..tasks.robots import Robot as RobotFields
+
+
+def compiled(spec: Any) -> Any:
+    """Returns the mujoco.MjModel of a specification.
+
+    Raises TaskError that names a moving link without mass, which planners do not need.
+    """
+    try:
+        return spec.compile()
+    except ValueError as error:
+        link = re.search(r"mjMINVAL[^']*'(.*?)'", str(error).replace("\n", " "))
+        if link is None:
+            raise
+        raise TaskError(
+            f"link '{link[1]}' moves and has no mass or inertia, which MuJoCo needs: add an "
+            "<inertial> to it in the URDF"
+        ) from None
 
 
 def robot_spec(

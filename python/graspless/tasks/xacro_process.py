@@ -116,7 +116,10 @@ def _refuse(what: str) -> None:
 
 
 def _refuse_package(name: str) -> None:
-    _refuse(f"looks for package '{name}' outside of robot.packages")
+    _refuse(
+        f"looks for package '{name}' outside of robot.packages, where its folder can be given "
+        f"(--package {name}=FOLDER)"
+    )
 
 
 class _Environment:

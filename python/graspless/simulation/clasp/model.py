@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import frames
 from ..obstacles import add_obstacle, plain
-from ..robots import joint_addresses, robot_spec, set_positions
+from ..robots import compiled, joint_addresses, robot_spec, set_positions
 from ..settings import Clasp, Solver
 from .object import OBJECT, OBJECT_BIT, STAND, add_object
 
@@ -135,7 +135,7 @@ def make_world(
     surface = problem.object.loops.surface
     mass = task.fields.object.mass or settings.mass
     add_object(spec, surface, solids, X_WO, mass, variation, settings)
-    model = spec.compile()
+    model = compiled(spec)
     data = mujoco.MjData(model)
     joints = joint_addresses(model, problem.robot)
     set_positions(model, data, problem.robot, problem.q_start)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ... import frames
 from ...timing import time as timed
-from ..robots import apply, joint_addresses, robot_spec, set_positions
+from ..robots import apply, compiled, joint_addresses, robot_spec, set_positions
 from ..settings import Fingertip, Solver
 from .execute import Log, execute
 from .script import Script, blended, joined, moving, still
@@ -72,7 +72,7 @@ def build_arm_world(plan: Plan, variation: Variation) -> ArmWorld:
     add_scene(spec, problem, variation)
     names = [name for geoms in by_finger for name in geoms]
     add_finger_pairs(spec, problem, variation, names)
-    model = spec.compile()
+    model = compiled(spec)
     finger_of_geom = {
         model.geom(name).id: finger for finger, geoms in enumerate(by_finger) for name in geoms
     }

@@ -249,9 +249,17 @@ class Execution:
             return
         if not (self.judge.holds(self.data) and creep <= self.settings.kept):
             self.judge.note("not_grasped" if lifted < self.settings.kept else "dropped")
-        elif not lifted >= self.settings.kept_height:
+        elif not lifted + self._sag() >= self.settings.kept_height:
             can = self.controller.raised >= self.settings.kept_height
             self.judge.note("dropped" if can else "out_of_reach")
+
+    def _sag(self) -> float:
+        """Returns how far a lifted object stretches the spring of the wrist [m]."""
+        stiffness = wrist_stiffness(self.plan.task.problem.hand, self.settings)
+        if stiffness is None or not self.judge.holds_clear(self.data):
+            return 0.0
+        model = self.scene.model
+        return float(model.body("object").mass[0] * np.linalg.norm(model.opt.gravity) / stiffness)
 
 
 def overhang(plan: Plan, X_WO: Matrix) -> float:

@@ -26,7 +26,7 @@ FAILURES = {
     "fell": "the object fell off the table",
     "hit": "two bodies touched that must not",
     "not_grasped": "the hand closed without grasping the object",
-    "dropped": "the object fell out of the hand during lift or hold",
+    "dropped": "the object fell out of the hand during lift or hold, or stayed behind",
     "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
 }
 # Of trials with a true world, where others stand beside the object, and what was seen is not all.

@@ -18,7 +18,7 @@ import numpy as np
 
 from ... import frames, geometry
 from ..parts import slice_links
-from ..robots import apply, robot_spec
+from ..robots import apply, compiled, robot_spec
 from ..settings import Slide, Solver
 from ..shapes import add_hull, add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
@@ -95,7 +95,7 @@ def build_scene(
     for geom in spec.geoms:
         if geom.priority == 1:
             geom.friction = [variation.friction * geom.friction[0], *geom.friction[1:]]
-    model = spec.compile()
+    model = compiled(spec)
     return Scene(model, X_WO, _groups(model, problem.hand))
 
 

@@ -73,6 +73,7 @@ def build_object(thing: model.Object, source: Source) -> clasp.Object:
 
 
 _GRAVITY = 9.81  # [m/s^2]
+_HEAVIEST = 100.0  # load of the tests of stability, whose forces end at 1000 N [kg]
 
 
 def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
@@ -81,8 +82,12 @@ def build_options(task: model.ClaspTask, source: Source) -> clasp.Options:
     """
     fields = task.options.model_dump(exclude_none=True)
     mass = task.object.mass
-    if mass is not None and isinstance(task.hand, Hand) and len(task.hand.fingers) == 1:
-        fields["stability"].setdefault("force", _GRAVITY * mass)
+    is_jaw = isinstance(task.hand, Hand) and len(task.hand.fingers) == 1
+    if mass is not None and is_jaw and "force" not in fields["stability"]:
+        if mass > _HEAVIEST:
+            what = f"a hand of two fingers is tested with {_HEAVIEST:g} kg at most"
+            raise source.error(("object", "mass"), what)
+        fields["stability"]["force"] = _GRAVITY * mass
     with at(source, "options", "stability"):
         fields["stability"] = clasp.StabilityOptions(**fields["stability"])
     with at(source, "options", "certificate"):
