@@ -19,6 +19,7 @@ from graspless.tasks import task_from_dict
 from graspless.tasks.clouds import read_cloud
 from graspless.tasks.reading import parse_yaml
 from graspless.tasks.slide import model
+from graspless.tasks.source import shorten
 from tasks_common import GOOD, changed, fault
 
 CARD = "rectangle: {size: [0.10, 0.08]}"
@@ -600,3 +601,8 @@ def test_every_field_has_its_line(data):
 def test_no_text_breaks_the_reader(text):
     with pytest.raises(TaskError, match=r"^a\.yaml"):
         parse_yaml(text, "a.yaml").validate(model.SlideTask)
+
+
+def test_a_long_path_is_shown_by_its_end():
+    assert shorten("/home/me/" + 30 * "folder/" + "arm.urdf").endswith("folder/arm.urdf")
+    assert shorten(50 * "word/ ").endswith("...")

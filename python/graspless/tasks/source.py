@@ -215,7 +215,8 @@ def dotted(place: Location) -> str:
 
 
 def shorten(value: Any, longest: int = LONGEST) -> str:
-    """Returns a value in a message."""
+    """Returns a value in a message; of a long path, the end."""
+    is_word = False
     try:
         is_word = isinstance(value, str) and value.isprintable()
         is_word = is_word and not _is_number(value) and not _is_quoted(value)
@@ -224,7 +225,10 @@ def shorten(value: Any, longest: int = LONGEST) -> str:
         return "a whole number" if isinstance(value, int) else "a list"
     if isinstance(value, bool):
         text = str(value).lower()
-    return text if len(text) <= longest else text[: longest - 3] + "..."
+    if len(text) <= longest:
+        return text
+    is_path = is_word and "/" in text and " " not in text
+    return f"...{text[3 - longest :]}" if is_path else f"{text[: longest - 3]}..."
 
 
 def faults(data: Any) -> Iterator[tuple[Location, str]]:
