@@ -135,7 +135,7 @@ def test_seconds_are_kept(card_problem):
     plan = slide.plan(card_problem, ENDLESS, Budget(seconds=0.2))
     assert not plan
     assert plan.reason
-    assert time.perf_counter() - start < 0.2 + 1.0  # other processes run, too
+    assert time.perf_counter() - start < 0.2 + 0.15
 
 
 def test_other_threads_run_meanwhile(card_problem):
@@ -160,7 +160,7 @@ def test_stop_from_another_thread(card_problem):
     timer.start()
     start = time.perf_counter()
     plan = slide.plan(card_problem, ENDLESS, budget)
-    assert time.perf_counter() - start < 0.2 + 1.0
+    assert time.perf_counter() - start < 0.2 + 0.3
     assert plan.status is Status.interrupted
     assert budget.is_stopped
     timer.join()
@@ -176,4 +176,4 @@ def test_ctrl_c_raises_keyboard_interrupt(card_problem):
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
-    assert time.perf_counter() - start < 0.2 + 1.0
+    assert time.perf_counter() - start < 0.2 + 0.3

@@ -238,7 +238,7 @@ TEST(Plan, EndsOnTimeAndByIterations) {
   Options options;
   options.min_overhang = 0.08;
   const Plan timed = plan(simple_problem(), options, seeded(1, 0.3));
-  EXPECT_LT(timed.statistics.seconds, 0.3 + 0.5);  // other processes run, too
+  EXPECT_LT(timed.statistics.seconds, 0.3 + 0.05);
   planning::Budget budget = seeded(1);
   budget.iterations = 10;
   EXPECT_EQ(plan(simple_problem(), options, budget).statistics.iterations, 10);
