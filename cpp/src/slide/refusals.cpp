@@ -157,9 +157,7 @@ bool can_reach(const Query& query, Plan& plan) {
   const auto slides = [&](int joint) { return robot.step_weights()[joint] > 1; };
   if (std::any_of(arm.begin(), arm.end(), slides)) return true;
   const int tip = robot.frame(problem.hand.fingertip);
-  const std::vector<int> links = robot::moved_links(robot, arm, tip, problem.q_home);
-  if (links.empty()) return true;
-  const int first = links.front();
+  const int first = robot::moved_links(robot, arm, tip, problem.q_home).front();  // see validate()
   const Eigen::Vector3d base_W = robot.pose(first, problem.q_home).translation();
   const double reach = robot.reach(tip)(arm).maxCoeff();
   const Eigen::Vector3d base_S = query.X_WS.inverse() * base_W;

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -11,12 +12,18 @@ import numpy as np
 from .. import geometry
 from .shapes import add_placed, add_skin
 
-_PREFIX = "obstacle "  # of geoms and skins, whose names must not be those of others
+OBSTACLE = "obstacle"
+
+
+def numbered(obstacle: Any, number: int, what: str = OBSTACLE) -> str:
+    """Returns a name for a body, a geom or a skin of an obstacle, which no other has."""
+    return f"{what} {number} {obstacle.name}"
 
 
 def plain(name: str) -> str:
-    """Returns the name of the obstacle of which a geom or a skin has this name."""
-    return name.removeprefix(_PREFIX).rpartition(" ")[0]
+    """Returns the name of the obstacle that is in a `numbered` name; other names as they are."""
+    found = re.fullmatch(r"\w+ \d+ (.*)", name)
+    return found[1] if found else name
 
 
 def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
@@ -25,11 +32,13 @@ def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
     `skin` is half the thickness of meshes [m]; `touch` are the contact parameters of its geoms.
     """
     for i, placed in enumerate(obstacle.shapes):
+        name = numbered(obstacle, i)
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
         if isinstance(placed.shape, geometry.Mesh):
             p_W = np.asarray(placed.shape.vertices) @ X_WG[:3, :3].T + X_WG[:3, 3]
-            name, triangles = f"{_PREFIX}{obstacle.name} {i}", placed.shape.triangles
-            add_skin(spec, name, "world", p_W, triangles, skin, **touch)
+            add_skin(
+                spec, numbered(obstacle, i), "world", p_W, placed.shape.triangles, skin, **touch
+            )
         else:
             fixed = geometry.PlacedShape(placed.shape, X_WG)
-            add_placed(spec, spec.worldbody, fixed, name=f"{_PREFIX}{obstacle.name} {i}", **touch)
+            add_placed(spec, spec.worldbody, fixed, name=name, **touch)

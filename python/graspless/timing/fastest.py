@@ -38,8 +38,8 @@ FINAL_CHECKS = 24
 REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
 ACCEPTED = 0.01  # relative excess above which the grid is refined
-LITTLE = 0.025  # relative excess below which a refinement that leaves
-HELPED = 0.7  # of it is the last one
+LITTLE = 0.025  # relative excess that is refined only while that helps
+HELPED = 0.7  # most of an excess that a refinement that helps leaves
 
 
 @np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion.made

@@ -11,8 +11,9 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..obstacles import OBSTACLE, plain
 from .fingers import OTHER, PAD, SLIDING
-from .scene import EDGE, FOOT, HAND, NEIGHBOUR, OBJECT, OBSTACLE, TABLE
+from .scene import EDGE, FOOT, HAND, NEIGHBOUR, OBJECT, TABLE
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -155,12 +156,9 @@ class Judge:
         """Returns the name of the link, of the obstacle or of another body that a geom is of."""
         model = self.scene.model
         body = model.body(model.geom_bodyid[geom])
-        if self._kind[geom] in (*self._fingers, self._pad) and body.name in (SLIDING, OTHER):
-            return str(model.body(body.parentid[0]).name)  # the link that bends here
-        what, _, rest = str(body.name).partition(" ")
-        number, _, name = rest.partition(" ")
-        is_obstacle = what in (OBSTACLE, TABLE) and number.isdigit()
-        return name if is_obstacle else str(body.name)
+        if body.name in (SLIDING, OTHER):
+            body = model.body(body.parentid[0])  # the link that bends here
+        return plain(body.name)
 
     def tip_force(self, data: Any) -> float:
         """Returns the normal force of the pad on the object [N]."""

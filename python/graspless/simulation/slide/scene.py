@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 from ... import frames, geometry
+from ..obstacles import OBSTACLE, numbered
 from ..parts import slice_links
 from ..robots import apply, compiled, robot_spec
 from ..settings import Slide, Solver
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from ...slide import Plan
     from ..variation import Variation
 
-OBJECT, TABLE, OBSTACLE, NEIGHBOUR = "object", "table", "obstacle", "neighbour"
+OBJECT, TABLE, NEIGHBOUR = "object", "table", "neighbour"
 FOOT, EDGE, HAND = "foot", "edge", "hand"
 COLUMN_STEP = 5e-4  # by which columns are higher than heights at most: a finger presses on them [m]
 
@@ -86,7 +87,7 @@ def build_scene(
     for i, obstacle in enumerate(problem.obstacles if obstacles is None else obstacles):
         what = TABLE if obstacle.name == standing else OBSTACLE
         if truth is None or what == TABLE:
-            _add_obstacle(spec, obstacle, f"{what} {i} {obstacle.name}", what)
+            _add_obstacle(spec, obstacle, numbered(obstacle, i, what), what)
     if truth is None:
         _add_object(spec, problem.object, X_WO, variation, settings)
     else:
