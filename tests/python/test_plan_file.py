@@ -16,6 +16,7 @@ from graspless import TaskError, files, frames, slide
 from graspless.kinds import KINDS, part
 from graspless.plan_files import table
 from graspless.plan_files.slide import SlidePlanFile
+from graspless.plan_files.text import _to_text
 from graspless.view import write_html
 from tasks_common import GOOD, changed, reread, without_clock
 
@@ -58,6 +59,17 @@ def test_plan_holds_after_its_file(plan, tmp_path):
         assert mine.name == theirs.name
         np.testing.assert_array_equal(mine.positions, theirs.positions)
         np.testing.assert_array_equal(mine.object_poses, theirs.object_poses)
+
+
+def test_rows_are_exact_or_refused():
+    bits = np.random.default_rng(5).integers(0, 2**64, (200, 40), np.uint64, endpoint=False)
+    numbers = np.where(np.isfinite(bits.view(np.float64)), bits.view(np.float64), -0.0)
+    for rows in (numbers.tolist(), [[1e-05, 1], [True, None], []], [[]], [["a], [b"], [{}]]):
+        text = _to_text({"rows": rows})
+        assert json.loads(text)["rows"] == rows
+        assert len(text.splitlines()) >= len(rows) + 4
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        _to_text([[0.0, float("nan")]])
 
 
 def test_file_has_the_planner_s_own_numbers(task):

@@ -17,7 +17,7 @@ from ..arguments import positive
 if TYPE_CHECKING:
     import argparse
 
-KINDS = ("slide", "clasp", "pinch", "carry")
+KINDS = ("slide", "clasp", "pinch", "carry", "fingertip")
 
 
 def add_parser(experiments: Any) -> None:

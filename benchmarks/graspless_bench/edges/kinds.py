@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from graspless import carry, clasp, geometry, pinch, scene, slide
+from graspless import carry, clasp, fingertip, frames, geometry, pinch, scene, slide
+from graspless._core import fingertip as core_fingertip
 from graspless.tasks import task_from_dict
 
 from ..clasp import grid as clasps
@@ -19,7 +20,6 @@ from ..slide.shapes import OBJECTS, TABLES
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from types import ModuleType
 
     from numpy.typing import NDArray
 
@@ -29,7 +29,67 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 SECONDS = 10.0  # limit of a search
-FREE = ("approach", "reach", "grasp", "carry")  # segments in which nothing may touch
+# Segments in which nothing may touch.
+FREE = ("approach", "reach", "grasp", "carry", "joint segment 0 (approach)")
+THICK = 1.0  # of the box that stands for a floor [m]
+FLOOR = geometry.Box([20.0, 20.0, THICK])
+
+
+class Carried(NamedTuple):
+    """A fingertip plan, and the joint paths that carry it out."""
+
+    plan: Any
+    paths: Any
+
+    @property
+    def segments(self) -> list[Any]:
+        """The segments of the joint paths, with the names that their certificate gives them."""
+        return [
+            fingertip.JointSegment(f"joint segment {i} ({s.name})", s.positions, s.X_WO)
+            for i, s in enumerate(self.paths.segments)
+        ]
+
+    def __bool__(self) -> bool:
+        return bool(self.plan) and bool(self.paths)
+
+
+class Carrier:
+    """The planner of fingertips that an arm carries.
+
+    Parameters
+    ----------
+    arm : tasks.fingertip.Arm
+        As in the task.
+    """
+
+    def __init__(self, arm: Any) -> None:
+        self.robot = arm.robot
+        self._arm = arm
+
+    def plan(self, problem: Any, options: Any, budget: Budget) -> Carried:
+        """Plans the fingertips and the joint paths."""
+        a = self._arm
+        return Carried(
+            *core_fingertip.plan_carried(
+                problem, options, a.robot, a.carrier, a.q_home, a.options, budget
+            )
+        )
+
+    def check(self, problem: Any, found: Carried, options: Any) -> list[str]:
+        """Returns the faults of both."""
+        a = self._arm
+        return core_fingertip.check(
+            problem, found.plan, options
+        ) + core_fingertip.check_realization(
+            problem, found.plan, a.robot, a.carrier, found.paths, a.options
+        )
+
+    def certify(self, problem: Any, found: Carried, _: Any) -> Any:
+        """Returns the certificate of the joint paths."""
+        a = self._arm
+        return core_fingertip.certify_realization(
+            problem, found.plan, a.robot, a.carrier, found.paths, a.options
+        )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -38,17 +98,22 @@ class Case:
 
     Attributes
     ----------
-    planner : module
+    planner : module or Carrier
         With `plan`, `check` and `certify`.
     frame : str
         Frame of the hand.
     """
 
-    planner: ModuleType
+    planner: Any
     problem: Any
     options: Any
     budget: Budget
     frame: str
+
+    @property
+    def robot(self) -> Any:
+        """The robot of the problem, or of the planner."""
+        return (self.planner if isinstance(self.planner, Carrier) else self.problem).robot
 
     def among(self, obstacles: list[Obstacle]) -> Any:
         """Returns the problem with further obstacles."""
@@ -58,12 +123,21 @@ class Case:
             return clasp.Problem(p.robot, p.hand, p.object, p.X_WO, p.q_start, every)
         if isinstance(p, carry.Problem):
             return carry.Problem(p.robot, p.frame, p.object, p.X_WO_goal, p.q_start, every)
+        if isinstance(p, fingertip.Problem):
+            return fingertip.Problem(
+                object=p.object,
+                motion=p.motion,
+                fingers=p.fingers,
+                planes=p.planes,
+                friction=p.friction,
+                obstacles=every,
+            )
         return slides.among(p, every)
 
     def bodies(self, obstacles: list[Obstacle], segment: Any) -> scene.Scene:
         """Returns the robot among all bodies of a segment, the object where it is then."""
         p: Any = self.problem
-        bodies = scene.Scene(p.robot)
+        bodies = scene.Scene(self.robot)
         fixed = [
             bodies.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB)
             for obstacle in [*p.obstacles, *obstacles]
@@ -73,12 +147,18 @@ class Case:
             for body in fixed:
                 bodies.world.add_pair(held, body)
             return bodies
+        start = segment.X_WO if isinstance(p, fingertip.Problem) else segment.object_poses
         if isinstance(p, clasp.Problem):
             shapes = [geometry.PlacedShape(p.object.surface)]
+        elif isinstance(p, fingertip.Problem):
+            (floor,) = p.planes
+            below = frames.translation([0, 0, floor.offset - THICK / 2])
+            bodies.add_obstacle(floor.name, [geometry.PlacedShape(FLOOR)], below)
+            shapes = [geometry.PlacedShape(p.object.mesh)]
         else:
             bodies.add_obstacle("support", p.support.shapes, p.support.X_WS)
             shapes = p.object.shapes
-        bodies.add_obstacle("object", shapes, segment.object_poses[0], touches_base=False)
+        bodies.add_obstacle("object", shapes, start[0], touches_base=False)
         return bodies
 
 
@@ -171,10 +251,35 @@ def _carries() -> Iterator[Case]:
         )
 
 
-def _of_document(planner: ModuleType, document: dict[str, Any], seed: int) -> Case:
+def _tumbles() -> Iterator[Case]:
+    """Blocks that the fingertips of a WAM tumble over an edge."""
+    for seed in itertools.count(1):
+        uniform = np.random.default_rng(seed).uniform
+        size = [float(uniform(*side)) for side in ((0.03, 0.08), (0.03, 0.08), (0.05, 0.12))]
+        place = [float(uniform(0.4, 0.75)), float(uniform(-0.3, 0.3)), size[2] / 2]
+        pose = {"position": place, "rpy": [0.0, 0.0, float(uniform(-3, 3))]}
+        yield _of_document(
+            fingertip,
+            {
+                "kind": "fingertip",
+                "object": {"name": "object", "box": size, "mass": float(uniform(0.1, 0.4))},
+                "fingers": {"radius": 0.013, "friction": 0.8},
+                "friction": 0.8,
+                "motion": {"tumble": {"over": "+x", "pose": pose, "segments": 18}},
+                "options": {"min_stability": 1.0},
+                "robot": {"urdf": "wam_t42_tips"},
+            },
+            seed,
+        )
+
+
+def _of_document(planner: Any, document: dict[str, Any], seed: int) -> Case:
     budget = {"seconds": SECONDS, "seed": seed}
     task: Any = task_from_dict(document | {"budget": budget}, "bench: edges", resolve=True)
     problem = task.problem
+    if planner is fingertip:
+        tip = task.arm.carrier.fingertips[0]
+        return Case(Carrier(task.arm), problem, task.options, task.budget, tip)
     frame = problem.frame if isinstance(problem, carry.Problem) else problem.hand.grasp_frame
     return Case(planner, problem, task.options, task.budget, frame)
 
@@ -184,4 +289,5 @@ MAKERS: dict[str, Callable[[], Iterator[Case]]] = {
     "clasp": _clasps,
     "pinch": _pinches,
     "carry": _carries,
+    "fingertip": _tumbles,
 }

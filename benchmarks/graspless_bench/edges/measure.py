@@ -66,7 +66,7 @@ def clutter(case: Case, plan: Any, rng: np.random.Generator) -> list[Obstacle]:
     """Returns a ball beside the way of the hand."""
     edges = edges_of(plan)
     edge = edges[rng.integers(len(edges))]
-    p = case.problem.robot.pose(case.frame, edge.segment.positions[edge.row])[:3, 3]
+    p = case.robot.pose(case.frame, edge.segment.positions[edge.row])[:3, 3]
     away = rng.normal(size=3)
     p = p + rng.uniform(0.02, 0.12) * away / np.linalg.norm(away)
     ball = geometry.PlacedShape(geometry.Sphere(float(rng.uniform(0.005, 0.03))))
@@ -78,7 +78,10 @@ def measure_clutter(case: Case, plan: Any, rng: np.random.Generator, counts: Cou
     edges = edges_of(plan)
     for _ in range(TRIES):
         ball = clutter(case, plan, rng)
-        found = case.planner.certify(case.among(ball), plan, case.options)
+        try:
+            found = case.planner.certify(case.among(ball), plan, case.options)
+        except ValueError:  # the object of a fingertip plan touches it
+            continue
         doubts = {(d.segment, d.row): d for d in found.doubts if CLUTTER in d.condition}
         beside = [(e, doubts[key]) for e in edges if (key := (e.segment.name, e.row)) in doubts]
         if not any(OBJECT in doubt.condition for _, doubt in beside):

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <string>
 
 namespace graspless::pinch {
 
@@ -16,18 +18,26 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The links of a finger that reach its end. Those behind them may be wider, and hold nothing.
-std::vector<std::string> at_end(const slide::Problem& problem,
-                                const std::vector<std::string>& finger, const Eigen::VectorXd& q) {
+/// The shapes of some links.
+ShapePlaces shapes_of(const robot::Robot& robot, const std::vector<std::string>& links) {
+  ShapePlaces places;
+  for (std::size_t i = 0; i < robot.shapes().size(); ++i) {
+    const auto link = static_cast<std::size_t>(robot.shapes()[i].link);
+    if (contains(links, robot.frame_names()[link])) places.push_back(i);
+  }
+  return places;
+}
+
+/// The shapes of a finger that reach its end. Those behind them may be wider, and hold nothing.
+ShapePlaces at_end(const slide::Problem& problem, const ShapePlaces& finger,
+                   const Eigen::VectorXd& q) {
   constexpr double kPad = 0.02;  // length of the finger's end [m]
-  std::vector<double> ends;
-  for (const std::string& link : finger) {
-    ends.push_back(Shapes(problem, {link}, q).extent(Vector3d::UnitZ()));
-  }
-  std::vector<std::string> found;
-  for (std::size_t i = 0; i < finger.size(); ++i) {
-    if (ends[i] > *std::max_element(ends.begin(), ends.end()) - kPad) found.push_back(finger[i]);
-  }
+  const Vector3d forward = Vector3d::UnitZ();
+  const double end = Shapes(problem, finger, q).extent(forward);
+  ShapePlaces found;
+  std::copy_if(finger.begin(), finger.end(), std::back_inserter(found), [&](std::size_t place) {
+    return Shapes(problem, {place}, q).extent(forward) > end - kPad;
+  });
   return found;
 }
 
@@ -39,18 +49,16 @@ std::pair<double, double> common(const std::pair<double, double>& a,
 
 }  // namespace
 
-Shapes::Shapes(const slide::Problem& problem, const std::vector<std::string>& links,
-               const Eigen::VectorXd& q) {
+Shapes::Shapes(const slide::Problem& problem, const ShapePlaces& places, const Eigen::VectorXd& q) {
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
   robot.forward(q, X_WL);
   const Isometry3d X_HW =
       X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))].inverse();
-  for (const robot::LinkShape& shape : robot.shapes()) {
-    const auto link = static_cast<std::size_t>(shape.link);
-    if (!contains(links, robot.frame_names()[link])) continue;
+  for (const std::size_t place : places) {
+    const robot::LinkShape& shape = robot.shapes()[place];
     shapes_.push_back(shape.placed);
-    shapes_.back().X_BG = X_HW * X_WL[link] * shape.placed.X_BG;
+    shapes_.back().X_BG = X_HW * X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
   }
 }
 
@@ -80,15 +88,18 @@ double extent(const std::vector<Shapes>& all, const Vector3d& direction_H) {
 
 Jaw::Jaw(const slide::Problem& problem, const Options& options)
     : problem_(problem), depth_(options.depth) {
+  std::vector<std::string> others;  // links of the other finger
   for (const std::string& link : problem.hand.fingers) {
-    if (!contains(problem.hand.sliding_finger, link)) others_.push_back(link);
+    if (!contains(problem.hand.sliding_finger, link)) others.push_back(link);
   }
+  own_ = shapes_of(problem.robot, problem.hand.sliding_finger);
+  others_ = shapes_of(problem.robot, others);
   q_open_ = problem.robot.state(problem.hand.open, problem.q_home);
   q_closed_ = problem.robot.state(problem.hand.closed, problem.q_home);
   for (const int joint : problem.robot.group(problem.hand.arm)) {
     q_open_[joint] = q_closed_[joint] = problem.q_home[joint];
   }
-  own_face_ = at_end(problem, problem.hand.sliding_finger, q_open_);
+  own_face_ = at_end(problem, own_, q_open_);
   other_face_ = at_end(problem, others_, q_open_);
   const Vector3d y = Vector3d::UnitY();
   const Shapes own(problem, own_face_, q_open_), other(problem, other_face_, q_open_);
@@ -136,9 +147,9 @@ std::optional<Grip> Jaw::at_width(double width) const {
 
 std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
   std::array<Eigen::AlignedBox3d, 2> boxes;
-  const std::array links{&problem_.hand.sliding_finger, &others_};
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const Shapes finger(problem_, *links[i], q_open_);
+  const std::array places{&own_, &others_};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Shapes finger(problem_, *places[i], q_open_);
     const auto corner = [&](double sign) {
       return Vector3d(sign * finger.extent(sign * Vector3d::UnitX()),
                       sign * finger.extent(sign * Vector3d::UnitY()),
@@ -164,8 +175,9 @@ Eigen::VectorXd Jaw::gap_rates(double closing) const {
 }
 
 std::vector<Shapes> Jaw::fingers(const std::vector<Grip>& grips) const {
-  std::vector<Shapes> found{Shapes(problem_, problem_.hand.fingers, q_open_)};
-  for (const Grip& grip : grips) found.emplace_back(problem_, problem_.hand.fingers, grip.q);
+  const ShapePlaces all = shapes_of(problem_.robot, problem_.hand.fingers);
+  std::vector<Shapes> found{Shapes(problem_, all, q_open_)};
+  for (const Grip& grip : grips) found.emplace_back(problem_, all, grip.q);
   return found;
 }
 

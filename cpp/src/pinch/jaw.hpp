@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,12 +15,14 @@
 
 namespace graspless::pinch {
 
-/// Shapes of some links, for their extents along directions of one frame.
+/// Some shapes of the robot, by their places in robot.shapes().
+using ShapePlaces = std::vector<std::size_t>;
+
+/// Some shapes of the robot, for their extents along directions of one frame.
 class Shapes {
  public:
-  /// The shapes of `links` at q, in the hand's frame H.
-  Shapes(const slide::Problem& problem, const std::vector<std::string>& links,
-         const Eigen::VectorXd& q);
+  /// The shapes at q, in the hand's frame H.
+  Shapes(const slide::Problem& problem, const ShapePlaces& places, const Eigen::VectorXd& q);
   /// Largest coordinate along a direction of any length, from the origin of H [m].
   double extent(const Eigen::Vector3d& direction_H) const;
   /// Interval of the coordinates along the unit vector `axis_H` of those points that are outermost
@@ -74,8 +76,8 @@ class Jaw {
 
   const slide::Problem& problem_;
   double depth_;
-  std::vector<std::string> others_;  // links of hand.fingers besides hand.sliding_finger
-  std::vector<std::string> own_face_, other_face_;  // those of both fingers that hold the object
+  ShapePlaces own_, others_;           // of hand.sliding_finger, and of the other hand.fingers
+  ShapePlaces own_face_, other_face_;  // those of both that hold the object
   Eigen::VectorXd q_open_, q_closed_;
   double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1
   double widest_;

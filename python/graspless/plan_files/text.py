@@ -8,6 +8,8 @@ import json
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from pydantic_core import to_json
+
 if TYPE_CHECKING:
     from .._plan import Plan
 
@@ -43,13 +45,14 @@ def _to_text(value: Any, indent: str = "") -> str:
 
 
 def _rows(table: list[Any], indent: str) -> list[str] | None:
-    """Returns the lines of a list of lists of numbers, by a single call of json; or None."""
+    """Returns the lines of a list of lists of finite numbers, by a single fast call; or None."""
     if set(map(type, table)) != {list}:
         return None
-    text = _encode(table)
-    if '"' in text or "{" in text or text.count("[") != len(table) + 1:
+    text = to_json(table).decode()
+    if any(sign in text for sign in _NOT_IN_ROWS) or text.count("[") != len(table) + 1:
         return None
-    return [f"{indent}[{row}]" for row in text[2:-2].split("], [")]
+    return [f"{indent}[{row}]" for row in text[2:-2].replace(",", ", ").split("], [")]
 
 
+_NOT_IN_ROWS = ('"', "{", "NaN", "Infinity")
 _encode = json.JSONEncoder(allow_nan=False).encode

@@ -27,9 +27,12 @@ def details(plan: Plan) -> dict[str, Any]:
 def lines(plan: Plan) -> list[str]:
     """Returns a line per segment, and what the pinch needs."""
     name = plan.task.problem.object.name
+    friction = f"{plan.friction:.2f}"
+    slanted = f"faces that slant: they need a coefficient of friction of {friction}"
     pinched = (
         f"the hand, which opens {1000 * plan.opening:.0f} mm, pinches {the(name)} where it is "
-        f"{1000 * width(plan):.0f} mm wide; needs a coefficient of friction of {plan.friction:.2f}"
+        f"{1000 * width(plan):.0f} mm wide, between "
+        f"{'parallel faces' if friction == '0.00' else slanted}"
     )
     return [*segment_lines(plan), pinched]
 

@@ -41,13 +41,6 @@ TEST(Pinch, PinchesBoxesAndDiscsWhereverTheyStand) {
   }
 }
 
-TEST(Jaw, IsAsWideAsTheEndsOfItsFingers) {
-  Problem problem = standing(rectangle(0.12, 0.04), 0.06);
-  const double opening = Jaw(problem).opening();
-  problem.hand.fingers.emplace_back("hand_base");  // behind both fingers, and wider
-  EXPECT_EQ(Jaw(problem).opening(), opening);
-}
-
 /// Both normals of a polygon without noise are within the cone about the line of contacts.
 TEST(Pinch, ContactsAreAntipodal) {
   for (const double yaw : {0.0, 0.3, 1.1}) {
@@ -82,6 +75,24 @@ std::string replaced(std::string text, const std::string& old, const std::string
   for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at))
     text.replace(at, old.size(), by), at += by.size();
   return text;
+}
+
+/// The opening of the T42 if the first shape of each finger, at its joint, is a box so wide.
+double opening_with(const std::string& width) {
+  Problem problem = standing(rectangle(0.12, 0.04), 0.06);
+  const std::string sphere = "\"0 0 0\"/><geometry><sphere radius=\"0.013\"/>";
+  const std::string box = "\"0 0 0\"/><geometry><box size=\"0.02 " + width + " 0.02\"/>";
+  problem.robot =
+      robot::Robot::from_urdf(replaced(problem.robot.urdf(), sphere, box), problem.robot.options());
+  return Jaw(problem).opening();
+}
+
+TEST(Jaw, IsAsWideAsTheEndsOfItsFingers) {
+  Problem problem = standing(rectangle(0.12, 0.04), 0.06);
+  const double opening = Jaw(problem).opening();
+  problem.hand.fingers.emplace_back("hand_base");  // behind both fingers, and wider
+  EXPECT_EQ(Jaw(problem).opening(), opening);
+  EXPECT_EQ(opening_with("0.02"), opening_with("0.07"));
 }
 
 /// The WAM with the jaws of a parallel gripper: plates of 20 x 10 mm that end at its fingertips.
