@@ -100,7 +100,8 @@ def _run(options: argparse.Namespace) -> int:
         files.write(picture, figures.as_png(found.plot()))
         written.append(picture)
     if options.json:
-        print(json.dumps(found.to_dict() | {"files": [str(path) for path in written]}))
+        paths = {"files": [*map(str, written)], "kept": [*map(str, kept)]}
+        print(json.dumps(found.to_dict() | paths))
     else:
         print(report.as_text(found))
         print("\n".join(f"written: {path}" for path in written))

@@ -467,6 +467,10 @@ def test_command_as_json(tmp_path, capsys, monkeypatch):
     document = json.loads(capsys.readouterr().out)
     assert document["hand"]["fingertip"] == "left_fingertip"
     assert all((tmp_path / path).is_file() for path in document["files"])
+    assert document["kept"] == []
+    (tmp_path / "mine" / "mine.srdf").write_text("mine")
+    assert cli.main(["robot", "inspect", "mine.urdf", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["kept"] == ["mine/mine.srdf~"]
     assert cli.main(["robot", "inspect"]) == 2
     assert "give either FILE or --name" in capsys.readouterr().err
 
