@@ -69,6 +69,15 @@ def test_faulty_names_are_taken_names():
     assert home.reason == "that of the SRDF is faulty"
 
 
+def test_the_title_of_a_picture_names_only_frames_that_are_drawn():
+    for hand, title in {
+        small.prismatic(): "mine: X red, Y green, Z blue, of left_fingertip and grasp",
+        small.three_fingers(): "mine",
+    }.items():
+        found = inspected(small.gripper(hand=hand), name="mine")
+        assert title in [text.get_text() for text in found.plot().findobj(Text)]
+
+
 def test_an_srdf_without_elements_is_completed():
     assert inspected(small.gripper(), '<robot name="x"/>').robot.group("arm")
 

@@ -52,9 +52,9 @@ def draw(proposal: Proposal) -> Figure:
     for k, state in enumerate(states):
         axes = figure.add_axes((k / len(states), 0.0, 1 / len(states), 0.84))
         draw_panel(axes, shown.picture(state), state, pad=3)
-    title = (
-        f"{proposal.name}: X red, Y green, Z blue, of {' and '.join(shown.frames) or 'no frame'}"
-    )
+    title = proposal.name
+    if shown.frames:
+        title += f": X red, Y green, Z blue, of {' and '.join(shown.frames)}"
     figure.suptitle(title, x=0.02, y=0.97, ha="left", fontsize=12, color=INK)
     return figure
 
