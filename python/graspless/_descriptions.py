@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import contextlib
-import difflib
 import importlib
 import os
 import re
@@ -14,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .errors import explain, missing
+from .errors import explain, missing, suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -74,10 +73,7 @@ def _module(name: str) -> Any:
     """Imports the description, which downloads it unless it is in the cache."""
     names = _names()
     if name not in names:
-        close = difflib.get_close_matches(name, names, 3) or difflib.get_close_matches(
-            f"{name}_description", names, 3
-        )
-        hint = f"; did you mean {' or '.join(close)}?" if close else ""
+        hint = suggestion(name, names, 3) or suggestion(f"{name}_description", names, 3)
         raise ValueError(f"no such robot in robot_descriptions{hint}")
     with _quiet():
         try:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from . import _api, _data, progress, report, view
 from ._load import load_task
-from .errors import TaskError
+from .errors import TaskError, one_of
 from .kinds import KINDS
 
 
@@ -29,7 +29,7 @@ def find(name: str | None) -> Path:
     if name in known:
         fits = [str(name)]
     if not fits:
-        raise TaskError(f"example: {name}: there is no such example (one of: {', '.join(known)})")
+        raise TaskError(f"example: {name}: there is no such example{one_of(name, known)}")
     return _data.directory("examples") / f"{fits[0]}.yaml"
 
 

@@ -9,18 +9,19 @@ import contextlib
 import importlib
 import json
 import os
+import re
 import sys
 import traceback
 import warnings
 from dataclasses import asdict
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from . import __version__
 from ._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND, require_apart
 from ._given_plan import given_plan
 from ._pictures import add_pictures, check_pictures, draw
-from .errors import OutOfTimeError, TaskError, explain
+from .errors import OutOfTimeError, TaskError, explain, suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -93,6 +94,22 @@ def _drop_stdout() -> None:
         os.close(nowhere)
 
 
+class _Parser(argparse.ArgumentParser):
+    """Suggests the name that a misspelt command, flag or choice resembles."""
+
+    def parse_known_args(self, *given: Any) -> Any:  # also of a command, which knows its flags
+        options, rest = super().parse_known_args(*given)
+        if rest:
+            hint = suggestion(rest[0], self._option_string_actions)
+            self.error(f"unrecognized arguments: {' '.join(rest)}{hint}")
+        return options, rest
+
+    def error(self, message: str) -> NoReturn:
+        if bad := re.search(r"invalid choice: '(.*)' \(choose from (.*)\)", message):
+            message += suggestion(bad[1], re.findall(r"[\w.-]+", bad[2]))
+        super().error(message)
+
+
 def make_parser(command: str) -> argparse.ArgumentParser:
     """Returns the parser of the command line.
 
@@ -102,7 +119,7 @@ def make_parser(command: str) -> argparse.ArgumentParser:
         The command that gets its arguments. The others have a name and a line of help only, so
         that their modules need not be imported.
     """
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="graspless",
         description="Plan how a robot moves objects that it cannot simply grasp: slide them over "
         "an edge, push and tumble them with fingertips, or clasp them through a hole.",

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator
 
 EXTRAS = {  # that bring a package, the smallest first
     "av": ("video",),
@@ -60,6 +60,19 @@ def explain(error: BaseException) -> str:
     if isinstance(error, ValueError) and first:
         return first
     return f"{type(error).__name__}: {first}" if first else type(error).__name__
+
+
+def suggestion(name: object, known: Collection[str], most: int = 1, cutoff: float = 0.6) -> str:
+    """Returns "; did you mean 'slide'?" for a misspelt name, or nothing if no other is similar."""
+    import difflib  # takes time, and errors alone need it
+
+    close = difflib.get_close_matches(str(name), known, most, cutoff)
+    return f"; did you mean {' or '.join(map(repr, close))}?" if close else ""
+
+
+def one_of(name: object, known: Collection[str]) -> str:
+    """Returns the end of a message about an unknown name: a suggestion, and all choices."""
+    return f"{suggestion(name, known)} (one of: {', '.join(known)})"
 
 
 @contextlib.contextmanager

@@ -39,11 +39,12 @@ def builtin(name: str) -> Path:
         Lists the robots that exist, if `name` is none of them.
     """
     from . import _data
+    from .errors import one_of
 
     path = _data.robot(name)
     if path is None:
-        names = ", ".join(_data.robots())
-        raise ValueError(f"{name}: no such robot comes with graspless (one of: {names})")
+        names = one_of(name, _data.robots())
+        raise ValueError(f"{name}: no such robot comes with graspless{names}")
     return path
 
 

@@ -215,6 +215,7 @@ def test_where_a_stage_cannot_start(write):
     [
         ("stages:\n  - {name: to the edge, kind: slide}\n", "stages: []\n#", 9, "stages: "),
         ("kind: slide}", "kind: push}", 10, r"stages\[0\].kind: push: should be 'slide' or"),
+        ("kind: slide}", "kind: slied}", 10, r"kind: slied: .*; did you mean 'slide'\?"),
         ("kind: slide}", "}", 10, r"stages\[0\].kind: missing"),
         ("kind: slide}", "kind: chain}", 10, "a chain holds no chain"),
         (

@@ -183,7 +183,15 @@ def test_limits_reach_the_file(tmp_path):
 
 @pytest.mark.parametrize(
     ("name", "to", "words"),
-    [("slide", "fbx", "to: fbx: no such format .*ros, mcap"), ("push", "ros", "no joints")],
+    [
+        ("slide", "fbx", "to: fbx: no such format .*ros, mcap"),
+        (
+            "slide",
+            "mujco",
+            r"to: mujco: no such format; did you mean 'mujoco'\? \(one of: ros, mcap",
+        ),
+        ("push", "ros", "no joints"),
+    ],
 )
 def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):
     with pytest.raises(TaskError, match=words):

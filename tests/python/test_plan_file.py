@@ -234,7 +234,8 @@ def test_budget_of_a_script_is_the_one_that_is_used(task, monkeypatch):
 def test_builtin_robots_are_found_by_name():
     assert graspless.robot.builtin("kr5_t42").is_file()
     with pytest.raises(
-        ValueError, match=r"wam: no such robot .*one of: kr5_armar, .*kr5_t42, wam_t42"
+        ValueError,
+        match=r"wam: no such robot .*; did you mean 'wam_t42'\? .*one of: kr5_armar, .*kr5_t42, wam_t42",
     ):
         graspless.robot.builtin("wam")
 

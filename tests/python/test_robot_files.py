@@ -342,7 +342,7 @@ def test_robots_by_name(descriptions, capsys):
     [
         (
             "arm",
-            "robot.name: arm: no such robot in robot_descriptions; did you mean arm_description",
+            "robot.name: arm: no such robot in robot_descriptions; did you mean 'arm_description'",
         ),
         ("os.path", "robot.name: os.path: no such robot in robot_descriptions"),
         ("arm_mj_description", "robot.name: arm_mj_description: has no URDF"),

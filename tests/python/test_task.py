@@ -50,6 +50,8 @@ def more(text):
 FAULTS = [
     (("thickness:", "thicknes:"), 8, r"object.thicknes: unknown field; did you mean 'thickness'"),
     (("kind: slide", "kind: slid"), 1, r"kind: slid: should be 'slide'"),
+    (("kind: slide", "kind: slied"), 1, r"kind: slied: .*'chain'; did you mean 'slide'\?$"),
+    (more("options: {search: papr}"), 13, r"search: papr: .*'fast'; did you mean 'paper'\?$"),
     (("kind: slide", "kind:"), 1, r"kind: missing; should be 'slide'"),
     (("0.004", "thin"), 8, r"object.thickness: thin: should be a valid number"),
     (("0.004", "0,004"), 8, r"object.thickness: 0,004: .* a point: 0.004"),

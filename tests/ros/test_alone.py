@@ -180,8 +180,8 @@ def test_arguments_that_ros_would_ignore_are_refused():
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("max_velocty", "parameter max_velocty: unknown; did you mean max_velocity?"),
-        ("arm.joint", "parameter arm.joint: unknown; did you mean arm.joints?"),
+        ("max_velocty", "parameter max_velocty: unknown; did you mean 'max_velocity'?"),
+        ("arm.joint", "parameter arm.joint: unknown; did you mean 'arm.joints'?"),
         ("colour", ""),  # a warning: files of parameters can be for many nodes
     ],
 )

@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
 
-from ..errors import TaskError
+from ..errors import TaskError, suggestion
 
 
 @dataclass(frozen=True)
@@ -144,9 +143,8 @@ def _check_names(node: Any) -> None:
     for name in node._parameter_overrides:  # rclpy tells them in no other way
         if node.has_parameter(name) or name.startswith("qos_overrides."):
             continue
-        close = difflib.get_close_matches(name, known, 1, 0.8)
-        if close:
-            raise TaskError(f"parameter {name}: unknown; did you mean {close[0]}?")
+        if hint := suggestion(name, known, cutoff=0.8):
+            raise TaskError(f"parameter {name}: unknown{hint}")
         node.get_logger().warning(f"parameter {name}: unknown, and ignored")
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ..errors import TaskError
+from ..errors import TaskError, suggestion
 from ..kinds import KINDS, part
 from ..limits import uncounted
 
@@ -70,7 +70,7 @@ def task_kind(source: Source) -> TaskKind:
     if name == "pick":
         raise source.error(("kind",), "is planned by `graspless pick`, with this file")
     if name not in KINDS:
-        raise source.error(("kind",), f"should be {choices}")
+        raise source.error(("kind",), f"should be {choices}{suggestion(name, KINDS)}")
     with uncounted():
         kind: TaskKind = part("tasks", name)
     return kind

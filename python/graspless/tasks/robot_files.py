@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import difflib
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ from .. import _data
 from .._core import robot as robots
 from .._descriptions import Described, described
 from .._xml import parse
+from ..errors import one_of
 from ..files import absence
 from ..limits import uncounted
 from .meshes import FOREIGN, prepare_meshes
@@ -118,9 +118,7 @@ def find_urdf(name: str, field: str, place: Location, source: Source, directory:
     if path.is_dir():
         raise source.error(place, absence(path))
     names = _data.robots()
-    close = difflib.get_close_matches(name, names, 1)
-    hint = f"; did you mean '{close[0]}'?" if close else ""
-    what = f"no such file, nor a robot that comes with graspless{hint} (one of: {', '.join(names)})"
+    what = f"no such file, nor a robot that comes with graspless{one_of(name, names)}"
     raise source.error(place, what)
 
 

@@ -5,14 +5,13 @@
 from __future__ import annotations
 
 import contextlib
-import difflib
 import math
 import re
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from ..errors import TaskError, explain
+from ..errors import TaskError, explain, one_of, suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -114,9 +113,7 @@ class Source:
         place = self._in_data(fault["loc"], kind == "missing")
         if kind == "extra_forbidden":
             fields = sorted(_fields_at(model, fault["loc"][:-1]))
-            close = difflib.get_close_matches(str(place[-1]), fields, 1)
-            hint = f"; did you mean '{close[0]}'?" if close else ""
-            return f"{self.where(place)}unknown field{hint} (one of: {', '.join(fields)})"
+            return f"{self.where(place)}unknown field{one_of(place[-1], fields)}"
         if kind == "missing":
             return self.message(place, "missing")
         if kind == "model_type" or kind == "dict_type":
@@ -128,6 +125,8 @@ class Source:
         value = self._look_up(place)[0]
         text = re.sub(r"^(Value error, |Input )| after validation", "", fault["msg"])
         text += _advice(kind, value)
+        if kind == "literal_error":
+            text += suggestion(value, re.findall("'(.*?)'", fault["msg"]))
         is_shown = isinstance(value, list) and kind != "value_error"  # message() shows the others
         is_shown = is_shown or (isinstance(value, dict) and kind.endswith("_type"))
         shown = f"{shorten(value)}: " if is_shown else ""

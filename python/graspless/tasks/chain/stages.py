@@ -12,7 +12,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...errors import TaskError
+from ...errors import TaskError, suggestion
 from ...kinds import KINDS, part
 from ..reading import read_yaml
 from ..source import Source
@@ -106,7 +106,7 @@ def _kind(stage: StageSource) -> str:
     if name is None:
         raise TaskError(f"{stage.where(('kind',))}missing; should be {choices}")
     if name not in STAGES:
-        nested = " (a chain holds no chain)" if name == "chain" else ""
+        nested = " (a chain holds no chain)" if name == "chain" else suggestion(name, STAGES)
         raise stage.error(("kind",), f"should be {choices}{nested}")
     return str(name)
 
