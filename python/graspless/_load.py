@@ -67,5 +67,5 @@ def as_task(task: Any) -> Task[Any, Any, Any]:
     if is_problem(task):
         return Task.of(task)
     if isinstance(task, Mapping):
-        return task_from_dict(dict(task), "task", resolve=True)
+        return task_from_dict(task, "task", resolve=True)
     return load_task(require_path("task", task, "a graspless.Task, a Problem, a dict"))

@@ -15,6 +15,7 @@ from .. import planning
 from .._arguments import require_above_zero, require_integer, require_number
 from ..errors import TaskError
 from ..report import least_seconds
+from ..tasks.documents import in_plain_types
 from ..tasks.robot_files import find_urdf
 from ..tasks.source import Source
 from . import place as places
@@ -213,7 +214,7 @@ def labelled(robot: Any) -> dict[str, Any]:
         while label in labels:
             count += 1
             label = f"{name} ({count})"
-        labels[label] = one
+        labels[label] = in_plain_types(one)
     return labels
 
 

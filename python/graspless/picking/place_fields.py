@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import Field, model_validator
 
-from ..errors import TaskError
+from ..errors import TaskError, told
+from ..tasks.documents import in_plain_types
 from ..tasks.shapes import Fields, Points2, Rectangle
 from ..tasks.source import Source
 
@@ -69,7 +70,8 @@ def place_of(given: Any) -> Place:
     """Returns a place from what a caller gave. Raises TaskError that names field and value."""
     if not isinstance(given, Mapping):
         raise TaskError(f"place: {given!r}: should have one of the fields pose, region and on")
-    fields: Place = Source("place", dict(given)).validate(Place)
+    with told("place"):
+        fields: Place = Source("place", in_plain_types(given)).validate(Place)
     return fields
 
 

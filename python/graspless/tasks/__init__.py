@@ -128,10 +128,12 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         seed: int | None = None,
     ) -> Task[ProblemT, OptionsT, PlanT]:
         """Returns the task with other options or budget. None keeps a value."""
+        from .documents import in_plain_types
+
         if (search, seconds, iterations, seed) == (None, None, None, None):
             return self
         changes = {"seconds": seconds, "iterations": iterations, "seed": seed}
-        budget = {key: value for key, value in changes.items() if value is not None}
+        budget = in_plain_types({k: value for k, value in changes.items() if value is not None})
         if self._fields is None and search is None:
             from .budget import with_budget
 
@@ -143,7 +145,9 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
 
     def with_options(self, **options: Any) -> Task[ProblemT, OptionsT, PlanT]:
         """Returns the task with other options of the search, by their names in the task file."""
-        return self._changed({}, options)
+        from .documents import in_plain_types
+
+        return self._changed({}, in_plain_types(options))
 
     def _changed(self, budget: dict[str, Any], options: dict[str, Any]) -> Task[Any, Any, Any]:
         document = self.to_dict()
@@ -205,15 +209,17 @@ def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
 
     Parameters
     ----------
-    document : dict
-        Document from `Task.to_dict`.
+    document : mapping
+        Document from `Task.to_dict`; with `resolve`, also of arrays, tuples and paths.
     file : str
         For errors.
     resolve : bool
         Read the files that it names, relative to the working folder.
     """
+    from .documents import in_plain_types
+
     with told(file):
-        source = Source(file, document)
+        source = Source(file, in_plain_types(document) if resolve else document)
         kind = task_kind(source)
         fields = source.validate(kind.Fields)
         if resolve and not fields.files:

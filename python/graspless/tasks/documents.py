@@ -4,14 +4,31 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel
+
+from .source import are_numbers
 
 if TYPE_CHECKING:
     from ..frames import Matrix
 
 PART = 5000  # rows
+
+
+def in_plain_types(value: Any) -> Any:
+    """Returns what a caller gave in the types of a file: lists for arrays, text for paths."""
+    if are_numbers(value):
+        return value
+    if isinstance(value, Mapping):
+        return {key: in_plain_types(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):  # of numpy and others; also of scalars
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [in_plain_types(item) for item in value]
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
 def rows_of(array: Matrix) -> list[list[float]]:

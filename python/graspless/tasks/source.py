@@ -239,7 +239,7 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             if len(place) > DEEPEST:
                 yield place[:3], f"nested deeper than {DEEPEST} levels"
                 return
-            if _are_numbers(value):
+            if are_numbers(value):
                 continue
             items = value.items() if isinstance(value, dict) else enumerate(value)
             for key, item in items:
@@ -253,7 +253,7 @@ def faults(data: Any) -> Iterator[tuple[Location, str]]:
             yield place, what
 
 
-def _are_numbers(value: Any) -> bool:
+def are_numbers(value: Any) -> bool:
     """True of most lists of numbers, or of rows of numbers, that all lie within bounds; quick."""
     if type(value) is not list:
         return False
