@@ -141,8 +141,7 @@ def plan(
     Parameters
     ----------
     task : Task, Problem of any planner, dict, str or Path
-        A task; a problem made in Python; the fields of a task file, in which arrays, tuples and
-        paths may stand, too; or the name of the file.
+        A task; a problem made in Python; the fields of a task file, also of numpy; or its name.
     search : str, optional
         Instead of the task's: "paper" or "fast", of a fingertip task also "dijkstra".
     seconds, iterations, seed : optional

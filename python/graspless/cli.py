@@ -97,8 +97,8 @@ def _drop_stdout() -> None:
 class _Parser(argparse.ArgumentParser):
     """Suggests the name that a misspelt command, flag or choice resembles."""
 
-    def parse_known_args(self, *given: Any) -> Any:  # also of a command, which knows its flags
-        options, rest = super().parse_known_args(*given)
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        options, rest = super().parse_known_args(args, namespace)  # also a command's, by its parser
         if rest:
             hint = suggestion(rest[0], self._option_string_actions)
             self.error(f"unrecognized arguments: {' '.join(rest)}{hint}")

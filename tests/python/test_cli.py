@@ -151,7 +151,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["example", "none"], "there is no such example (one of: 01_slide_card"),
         (["example", "slide_crad"], "such example; did you mean '01_slide_card'? (one of: 01_"),
         (["dance"], "invalid choice: 'dance'"),
-        (["chek", "plan.json"], "; did you mean 'check'?\n"),
+        (["chekk", "plan.json"], "; did you mean 'check'?\n"),
         (["robot", "inspct"], "; did you mean 'inspect'?\n"),
         (["plan", "task.yaml", "--search", "papr"], "; did you mean 'paper'?\n"),
         (

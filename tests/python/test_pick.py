@@ -373,7 +373,7 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
             "strategies: throw: should be one of pinch, rim, slide, clasp, tumble, push",
         ),
         ({"strategies": ["pinhc"]}, "pinhc: should be one of .*; did you mean 'pinch'"),
-        ({"respect": "objcts"}, "objcts: should be one of .*; did you mean 'objects'"),
+        ({"respect": "objcets"}, "objcets: should be one of .*; did you mean 'objects'"),
         ({"strategies": []}, "strategies: none"),
         ({"lift": -0.1}, "lift: -0.1"),
         ({"lift": float("nan")}, "lift: nan"),

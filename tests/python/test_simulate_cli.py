@@ -75,7 +75,7 @@ def test_a_condition_that_is_none_is_refused(plan_file, capsys):
     code, _, err = run(capsys, "simulate", plan_file, "--condition", "wind")
     assert code == 2
     assert "condition: wind: should be one of none, friction, start" in err
-    _, _, err = run(capsys, "simulate", plan_file, "--condition", "fricton")
+    _, _, err = run(capsys, "simulate", plan_file, "--condition", "frictio")
     assert err.endswith("; did you mean 'friction'?\n")
 
 

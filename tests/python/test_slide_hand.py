@@ -37,8 +37,13 @@ def test_gap_of_the_closed_fingers(tmp_path):
     assert plan(tmp_path, urdf, thickness=0.025)
 
 
-def test_arm_of_five_joints(tmp_path):
+def test_arm_of_five_joints_pinches_from_above(tmp_path):
     fixed = 'name="joint_3" type="fixed"'
     urdf = small.gripper().replace('name="joint_3" type="revolute"', fixed)
-    with pytest.raises(TaskError, match="arm: arm: has 5 joints; a slide needs 6 or more"):
+    with pytest.raises(TaskError, match="hand.arm: 'arm' has 5 joints; a slide needs 6 or more"):
         plan(tmp_path, urdf)
+    box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06}
+    here = {"urdf": str(tmp_path / "mine.urdf")}
+    pinched = graspless.plan(TASK | {"kind": "pinch", "robot": here, "object": box})
+    assert pinched, pinched.reason
+    assert graspless.check(pinched) == []

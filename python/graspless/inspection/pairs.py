@@ -18,7 +18,8 @@ Pair = tuple[str, str]
 
 
 def find_pairs(tree: Tree, palm: Palm, base: int) -> dict[Pair, str]:
-    """Returns the pairs with the reason of an SRDF: Always, Never, or Default if neither moves.
+    """Returns the pairs with the reason of an SRDF: Always, Never, or Default if none of the joints
+    of arm and hand moves one of them relative to the other.
 
     Fingers may always meet, however rarely they do.
     """
@@ -30,11 +31,26 @@ def find_pairs(tree: Tree, palm: Palm, base: int) -> dict[Pair, str]:
         ends = finger.get(a), finger.get(b)
         if None in ends or ends[0] == ends[1]:
             found[tree.links[a], tree.links[b]] = "Never"
-    still = [link for link in sorted(tree.points) if link not in moved]
-    for a, b in combinations(still, 2):
-        if (a, b) not in tree.robot.ignored_pairs:
-            found[tree.links[a], tree.links[b]] = "Default"
+    carriers = _carriers(tree, palm, base)
+    for a, b in combinations(sorted(tree.points), 2):
+        pair = tree.links[a], tree.links[b]
+        if carriers[a] == carriers[b] and (a, b) not in tree.robot.ignored_pairs:
+            found.setdefault(pair, "Default")
     return found
+
+
+def _carriers(tree: Tree, palm: Palm, base: int) -> dict[int, int]:
+    """The body that carries each link, and moves with a joint of arm or hand, or is the root."""
+    path = tree.path(palm.body)
+    used = path[path.index(base) + 1 :] + [b for finger in palm.fingers for b in finger.bodies]
+    drivers = set(tree.drivers([body for body in used if tree.joint(body)]))
+
+    def carrier(body: int) -> int:
+        while tree.parents[body] >= 0 and tree.driver(body) not in drivers:
+            body = tree.body(tree.parents[body])
+        return body
+
+    return {link: carrier(tree.body(link)) for link in tree.points}
 
 
 def moved_links(tree: Tree, palm: Palm, base: int) -> list[int]:

@@ -44,14 +44,17 @@ void check_links(const robot::Robot& robot, const std::string& field,
                               " must name at least one link with a collision shape");
 }
 
+void check_arm(const Hand& hand, const robot::Robot& robot) {
+  const std::size_t count = robot.group(hand.arm).size();
+  if (count >= kLeastJoints) return;
+  throw std::invalid_argument(
+      "hand.arm '" + hand.arm + "' has " + std::to_string(count) +
+      " joints; a slide needs 6 or more, as the hand grasps level and square to an edge");
+}
+
 void check_hand(const Hand& hand, const robot::Robot& robot) {
   if (robot.group(hand.arm).empty()) {
     throw std::invalid_argument("hand.arm '" + hand.arm + "' is a group without joints");
-  }
-  if (const std::size_t count = robot.group(hand.arm).size(); count < kLeastJoints) {
-    throw std::invalid_argument(
-        "hand.arm '" + hand.arm + "' has " + std::to_string(count) +
-        " joints; a slide needs 6 or more, as the hand grasps level and square to an edge");
   }
   robot.state(hand.open);
   robot.state(hand.closed);
@@ -171,6 +174,7 @@ void validate(const Options& o) {
 void validate(const Problem& problem, const Options& options) {
   validate(problem);
   validate(options);
+  check_arm(problem.hand, problem.robot);
   check_thickness(problem, options);
   check_depths(problem.hand, options);
   check_finger_fits(problem, options);
