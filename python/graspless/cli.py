@@ -58,7 +58,7 @@ def _run(arguments: Sequence[str] | None) -> int:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", UserWarning)
-            warnings.showwarning = _show_warning
+            warnings.showwarning = _warnings_shown_once()
             options = make_parser(command).parse_args(given)
             if command != "plan":  # which first reads a plan that was given instead of a task
                 require_apart(options)
@@ -249,5 +249,13 @@ def _example(options: argparse.Namespace) -> int:
     return FOUND if found else NOT_FOUND
 
 
-def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    print(f"warning: {message}", file=sys.stderr)
+def _warnings_shown_once() -> Callable[..., None]:
+    """Returns a function that prints each text once: several searches read the same files."""
+    shown: set[str] = set()
+
+    def show(message: Warning | str, *_: Any, **__: Any) -> None:
+        if str(message) not in shown:
+            shown.add(str(message))
+            print(f"warning: {message}", file=sys.stderr)
+
+    return show

@@ -412,8 +412,31 @@ def test_a_robot_without_a_hand_is_refused(scene, names, tmp_path):
         for i in range(2)
     )
     urdf.write_text(f'<robot name="arm">{links}{joints}</robot>')
-    with pytest.raises(TaskError):
+    with pytest.raises(TaskError, match="^pick: robot: no link has a collision shape"):
         graspless.pick(scene, names["bar"], str(urdf))
+
+
+def test_reasons_and_warnings_name_no_strategy(scene, names, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(scene, "scene.yaml")
+    (tmp_path / "mine.urdf").write_text(small.gripper())
+    asked = [
+        "pick",
+        "scene.yaml",
+        names["block"],
+        "--json",
+        "--strategies",
+        "pinch,rim,clasp,tumble",
+    ]
+    assert main([*asked, "--robot", "mine.urdf"]) == 1
+    warned = capsys.readouterr().err.splitlines()
+    assert len(warned) == len(set(warned)) == 2  # proposals for a pinch, and for a clasp
+    assert all(line.startswith("warning: pick: robot: no SRDF") for line in warned)
+    assert main([*asked, "--robot", "kr5_sdh"]) == 1
+    result = json.loads(capsys.readouterr().out)
+    reasons = {attempt["strategy"]: attempt["reason"] for attempt in result["attempts"]}
+    assert reasons["pinch"] == reasons["rim"] == reasons["tumble"]
+    assert reasons["pinch"].startswith("robot: no hand for this task was found")
 
 
 ROBOT = ("--robot", "wam_t42")

@@ -20,7 +20,7 @@ from ..tasks.robot_files import find_urdf
 from ..tasks.source import Source
 from . import place as places
 from .moving import MOVING
-from .result import NOT_TRIED, REFUSED, STALE, Attempt, Pick
+from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
 from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
@@ -221,7 +221,7 @@ def labelled(robot: Any) -> dict[str, Any]:
 def _require_found(robots: list[Any]) -> None:
     """Raises TaskError that names a robot whose URDF, or whose gripper's, does not exist."""
     given = [one if isinstance(one, Mapping) else {"urdf": str(one)} for one in robots]
-    source = Source("pick", {"robot": given if len(given) > 1 else given[0]})
+    source = Source(FILE, {"robot": given if len(given) > 1 else given[0]})
     for i, fields in enumerate(given):
         place = ("robot", i) if len(given) > 1 else ("robot",)
         hand = fields.get("gripper")
@@ -238,7 +238,7 @@ def _require_usable(found: Pick) -> None:
     mistakes = [attempt for attempt in found.attempts if attempt.is_mistake]
     if mistakes and all(a.status == REFUSED and not a.is_planned for a in found.attempts):
         which = f"{mistakes[0].robot}: " if len({a.robot for a in found.attempts}) > 1 else ""
-        raise TaskError(f"{which}{mistakes[0].strategy}: {mistakes[0].reason}")
+        raise TaskError(f"{FILE}: {which}{mistakes[0].reason}")
 
 
 def duration(plan: Plan) -> float:

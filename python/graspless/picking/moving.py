@@ -18,7 +18,8 @@ from ..tasks import task_from_dict
 from .block import Block, block_of, level, wish_at
 from .fingertips import Fingertips, fingertips_of
 from .moves import MOVES, Move, misplaced
-from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, covered, refusal
+from .result import FILE
+from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, covered, explained, refusal
 
 if TYPE_CHECKING:
     from ..chain import Plan
@@ -114,7 +115,7 @@ def _fits_nowhere(strategy: str, block: Block, opening: float) -> str:
 def _trial_task(grasp: str, wish: Wish, seed: int, seconds: float) -> Any:
     """Returns the task of a grasp and lift of the object where it stands."""
     document = chain_of(grasp, wish, seed, seconds, WAYS[grasp][0])
-    task = task_from_dict(document, grasp, resolve=True)
+    task = task_from_dict(document, FILE, resolve=True)
     return task.with_changes(iterations=TRIAL_ITERATIONS)
 
 
@@ -202,7 +203,7 @@ class Moving:
         why = refusal(grasp, there, self.opening)
         if not why:
             trial = plan_since(_trial_task(grasp, there, seed, seconds), time.monotonic())
-            why = "" if trial else str(trial.reason)
+            why = "" if trial else explained(trial, there)
         if why:
             self._note(1, f"{move.words}, {why}")
         return not why
@@ -212,12 +213,12 @@ class Moving:
         why, rank = "", 2
         for stability, span in itertools.product(STABILITIES, SPANS):
             document = self._document(move, grasp, there, seed, left(), span, stability)
-            task = task_from_dict(document, self.strategy, resolve=True)
+            task = task_from_dict(document, FILE, resolve=True)
             plan: Plan = plan_since(task, time.monotonic())
             faults = (_scrubbing(plan) or check(plan)) if plan else []
             if plan and not faults:
                 return Found(plan, document, there, self._success(move, grasp))
-            failed = faults[0] if faults else str(plan.reason)
+            failed = faults[0] if faults else explained(plan, there)
             reached = len(plan.stages) + (3 if faults else 1)
             why, rank = (failed, reached) if reached >= rank else (why, rank)
             if left() <= LEAST_SECONDS:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 NOT_TRIED, REFUSED, FAULTY, STALE = "not_tried", "refused", "faulty", "stale"
 NOT_FOUND = "not_found"
+FILE = "pick"  # stands for the file of all its tasks, in messages
 
 
 @dataclass

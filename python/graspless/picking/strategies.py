@@ -259,8 +259,10 @@ def _refuse_clasp(wish: Wish) -> str:
 
 
 def explained(plan: Any, wish: Wish) -> str:
-    """Returns the reason of a chain that was not found, without the name of its first stage."""
-    reason = str(plan.reason).removeprefix(f"{plan.names[0] if plan.names else ''}: ")
+    """Returns the reason of a chain that was not found, without the name of a strategy."""
+    stage, _, reason = str(plan.reason).partition(": ")
+    if stage not in STRATEGIES:
+        reason = str(plan.reason)
     if str(plan.status) == "no_reliable_hole":
         reason += f"; {100 * unseen_share(wish):.0f} % of its side unseen"
     return reason

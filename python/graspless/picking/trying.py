@@ -16,7 +16,7 @@ from . import loose, over_edge
 from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
-from .result import FAULTY, NOT_FOUND, REFUSED
+from .result import FAULTY, FILE, NOT_FOUND, REFUSED
 from .strategies import LEAST_SECONDS, chain_of, explained, refusal, ways_of
 
 if TYPE_CHECKING:
@@ -69,10 +69,10 @@ def attempt_plan(
             return None
         plan, doubted, faults = _plan(attempt.strategy, wish, target, seed, seconds)
     except OutOfTimeError as error:
-        attempt.status, attempt.reason = "out_of_time", str(error)
+        attempt.status, attempt.reason = "out_of_time", _in_one_line(error)
         return None
     except TaskError as error:
-        attempt.status, attempt.reason = REFUSED, str(error).removeprefix(f"{attempt.strategy}: ")
+        attempt.status, attempt.reason = REFUSED, _in_one_line(error)
         attempt.is_mistake = True
         return None
     finally:
@@ -93,6 +93,11 @@ def attempt_plan(
         attempt.status, attempt.reason = FAULTY, faults[0]
         return None
     return plan if plan else None
+
+
+def _in_one_line(error: TaskError) -> str:
+    """Returns the faults of a task, which nobody wrote, without its file."""
+    return "; ".join(line.removeprefix(f"{FILE}: ") for line in str(error).splitlines())
 
 
 def _move(
@@ -147,9 +152,7 @@ def _plan(
             continue
         limit = seconds / 2 if way.hangs else seconds
         document = chain_of(strategy, wish, seed, limit, way, opening)
-        task = task_from_dict(document, strategy, resolve=True).with_changes(
-            iterations=way.iterations
-        )
+        task = task_from_dict(document, FILE, resolve=True).with_changes(iterations=way.iterations)
         faults: list[str] = []
         tried: list[tuple[Plan, str]] = []
         for plan in _grasps(strategy, task, seed, seconds, began, wish if target else None):
@@ -250,7 +253,7 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
 def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float) -> Plan:
     """Adds the last of some stages to a plan that has the others."""
     whole = document | {"stages": [*document["stages"], *stages]}
-    task = task_from_dict(whole, stages[-1]["name"], resolve=True)
+    task = task_from_dict(whole, FILE, resolve=True)
     limit = {"iterations": SLIDE_ITERATIONS} if stages[-1]["kind"] == "slide" else {}
     budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed, **limit)
     return chain.continued(plan, task, budget)

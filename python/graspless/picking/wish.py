@@ -25,6 +25,7 @@ from ..tasks.robots import Robot, build_robot
 from ..tasks.shapes import Fields
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
+from .result import FILE
 
 if TYPE_CHECKING:
     from .. import robot as robots
@@ -90,7 +91,7 @@ class Wish:
     @cached_property
     def model(self) -> robots.Robot:
         """The robot itself."""
-        source = Source("robot", {"robot": self.robot})
+        source = Source(FILE, {"robot": self.robot})
         fields = source.validate(RobotOnly).robot
         return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
