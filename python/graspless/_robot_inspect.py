@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ._commands import FOUND, add_packages, add_trust, given_packages
-from .errors import TaskError
+from .errors import TaskError, one_of
 
 if TYPE_CHECKING:
     import argparse
@@ -68,7 +68,28 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
     given = source.Source(command, {"robot": fields}, is_trusted=options.trust)
     resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())
     assert path is not None
+    require_used(options, path)
     return robots.build_robot(resolved, given), path
+
+
+def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
+    """Raises TaskError if a --package has no effect. Of xacro files nobody knows which they use."""
+    from .tasks.meshes import packages_of
+    from .tasks.robots import stem
+
+    if not options.package:
+        return
+    beside = [path.with_name(f"{stem(path)}.srdf.xacro") for path in urdfs]
+    if any(path.suffix == ".xacro" and path.is_file() for path in (*urdfs, *beside)):
+        return
+    used = sorted(set().union(*(packages_of(path.read_text("utf-8")) for path in urdfs)))
+    for name in given_packages(options):
+        if name not in used:
+            where = " or ".join(path.name for path in urdfs)
+            choices = one_of(name, used) if used else ""
+            raise TaskError(
+                f"--package: {name}: has no effect: no package://{name}/ in {where}{choices}"
+            )
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ._commands import FOUND, add_packages, add_trust, given_packages
+from ._robot_inspect import require_used
 from .errors import TaskError
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def _join(options: argparse.Namespace) -> int:
     from . import files
     from .tasks import robots, source
-    from .tasks.robot_files import resolve_robot
+    from .tasks.robot_files import find_urdf, resolve_robot
 
     to_stdout = options.output == "-"
     path = Path(options.output)
@@ -84,6 +85,11 @@ def _join(options: argparse.Namespace) -> int:
     robot = robots.Robot.model_validate(given.data["robot"])
     resolved, _ = resolve_robot(robot, given, Path())
     built = robots.build_robot(resolved, given)
+    if options.package:
+        parts = (options.arm, options.gripper)
+        fields = ("name" if _is_name(part) else "file" for part in parts)
+        found = (find_urdf(*both, (), given, Path()) for both in zip(parts, fields, strict=True))
+        require_used(options, *(part.urdf for part in found))
     if not to_stdout and not resolved.srdf_text and srdf.exists():
         what = "neither robot has an SRDF, and this file would be read instead; remove it"
         raise TaskError(f"--output: {srdf}: {what}")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Robots as they come: stock SRDFs, packages, descriptions by name, arm and gripper joined."""
 
+import argparse
 import math
 import os
 import shutil
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 from graspless import TaskError, cli, robot
+from graspless._robot_inspect import require_used
 from graspless.tasks import robots
 from graspless.tasks.robot_files import resolve_robot
 from graspless.tasks.robots import Robot, build_robot, require_text
@@ -263,6 +265,11 @@ def test_join_writes_urdf_and_srdf(folder, capsys, monkeypatch):
         (["--mount", "none"], "unknown mount 'none'; choose from base, tool, world"),
         (["--mount", "tool", "-o", "joined.txt"], "--output: joined.txt: should end in .urdf"),
         (["--mount", "tool", "--package", "x"], "--package: x: should be NAME=DIR"),
+        (
+            ["--mount", "tool", "--package", "my_amr=my_arm"],
+            "--package: my_amr: has no effect: no package://my_amr/ in arm.urdf or gripper.urdf; "
+            "did you mean 'my_arm'? (one of: my_arm)",
+        ),
         (["--mount", "tool", "-o", "none/joined.urdf"], "there is no folder none"),
     ],
 )
@@ -271,6 +278,18 @@ def test_join_refuses(folder, capsys, monkeypatch, arguments, message):
     assert cli.main(["robot", "join", "my_arm/urdf/arm.urdf", "gripper.urdf", *arguments]) == 2
     assert message in capsys.readouterr().err.splitlines()[-1]
     assert not list(folder.glob("joined*"))
+
+
+def test_packages_that_may_be_used_are_taken(folder, capsys, monkeypatch):
+    monkeypatch.chdir(folder)
+    join = ["robot", "join", "my_arm/urdf/arm.urdf", "gripper.urdf", "--mount", "tool"]
+    assert cli.main([*join, "--package", "my_arm=my_arm"]) == 0
+    (folder / "plain.urdf").write_text("<robot name='plain'/>")
+    options = argparse.Namespace(package=["other=."])
+    with pytest.raises(TaskError, match=r"no package://other/ in plain.urdf$"):
+        require_used(options, folder / "plain.urdf")
+    (folder / "plain.srdf.xacro").write_text("")
+    require_used(options, folder / "plain.urdf")  # the xacro file may use it
 
 
 def test_join_leaves_no_srdf_of_other_robots(folder, capsys, monkeypatch):

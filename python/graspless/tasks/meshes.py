@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
+from .._xml import parse
+
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
@@ -105,6 +107,12 @@ def package_of(name: str) -> str | None:
     if not name.startswith("package://"):
         return None
     return name.removeprefix("package://").lstrip("/").partition("/")[0]
+
+
+def packages_of(urdf: str) -> set[str]:
+    """Returns the packages of the meshes and textures of a URDF."""
+    names = (element.get("filename", "") for element in parse(urdf).iter())
+    return {package for name in names if (package := package_of(name))}
 
 
 def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Path:
