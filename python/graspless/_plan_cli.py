@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `plan`."""
     parser.description = (
         "Plan a task, check the plan and write it. A plan file is written in any case;\n"
-        "if no plan was found, it says why."
+        "if no plan was found, it says why, and a solved plan of that name gets a ~ behind it."
     )
     parser.epilog = (
         f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
@@ -82,6 +82,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     from . import _api, files, limits, report
     from ._load import load_task
+    from .plan_files import keep_solved
     from .tasks import read_task
 
     to_stdout = options.output == "-"
@@ -98,6 +99,7 @@ def _run(options: argparse.Namespace) -> int:
     plan = searched(task, clock.began, options)
     faults, edges = _api.checked(plan, options.certify) if plan else ([], None)
     # Files first: who reads our output may go at any time.
+    kept = None if plan or to_stdout else keep_solved(options.output)
     if not to_stdout:
         plan.save(options.output)
     written = [] if to_stdout else [options.output]
@@ -107,9 +109,12 @@ def _run(options: argparse.Namespace) -> int:
         if to_stdout:
             print(plan.to_json(), end="")
         summary = [report.as_text(plan), report.verdict(plan, faults, edges)]
+        if kept is not None:
+            summary.append(f"kept: {kept}, the solved plan that was there before")
         summary += [f"written: {path}" for path in written]
         if options.json:
-            summary = [json.dumps(report.as_dict(plan) | {"faults": faults})]
+            others = {"faults": faults, "kept": [str(kept)] if kept else []}
+            summary = [json.dumps(report.as_dict(plan) | others)]
         print("\n".join(summary), file=sys.stderr if to_stdout else sys.stdout)
     proof = plan.proof
     if plan.status == "interrupted" or (proof is not None and proof.ended == "interrupted"):

@@ -135,9 +135,11 @@ def _run(options: argparse.Namespace) -> int:
 
 def _kept(texts: dict[str, str], folder: Path) -> list[Path]:
     """Renames files that differ from what takes their place, as somebody may have edited them."""
+    from . import files
+
     kept = []
     for name, text in texts.items():
         path = folder / name
         if path.is_file() and path.read_bytes() != text.encode():
-            kept.append(path.replace(folder / f"{name}~"))
+            kept.append(files.set_aside(path))
     return kept

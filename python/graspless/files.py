@@ -100,6 +100,14 @@ def write(path: str | Path, content: str | bytes) -> None:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
+def set_aside(path: Path) -> Path:
+    """Renames a file, whose place another one takes, to its name with ~; raises TaskError."""
+    try:
+        return path.replace(path.with_name(f"{path.name}~"))
+    except OSError as error:
+        raise TaskError(f"{path}~: cannot be written: {error.strerror}") from None
+
+
 @contextlib.contextmanager
 def beside(path: str | Path) -> Iterator[Path]:
     """Gives a new folder beside `path`, gone at the end; an OSError becomes a TaskError."""

@@ -123,6 +123,9 @@ def test_what_is_done_stands_until_the_task_changes(here, tasks, tmp_path):
     assert (output / "b.plan.json").stat().st_mtime_ns == times[output / "b.plan.json"]
     assert (output / "c.plan.json").exists()
     assert graspless.batch(folder, output).kept == 3
+    solved = (output / "c.plan.json").read_bytes()
+    assert graspless.batch(folder, output, iterations=0).solved == 0
+    assert (output / "c.plan.json~").read_bytes() == solved
     assert graspless.batch(folder, output, iterations=10**6).kept == 0  # another task, too
 
 

@@ -82,6 +82,30 @@ def test_not_found_exits_1_and_says_why(task, capsys):
     assert str(plan.status) in out
 
 
+def test_a_plan_that_was_not_found_destroys_no_solved_one(task, capsys):
+    old, kept = pathlib.Path("plan.json"), pathlib.Path("plan.json~")
+    run(capsys, "plan", "task.yaml")
+    solved = old.read_bytes()
+    code, out, _ = run(capsys, "plan", "task.yaml", "--iterations", "0")
+    assert code == 1
+    assert out.endswith(
+        "kept: plan.json~, the solved plan that was there before\nwritten: plan.json\n"
+    )
+    assert not graspless.load_plan("plan.json")
+    assert kept.read_bytes() == solved
+    _, out, _ = run(capsys, "plan", "task.yaml", "--iterations", "0", "--json")
+    assert json.loads(out)["kept"] == []  # what is there now is not solved
+    assert kept.read_bytes() == solved
+    old.write_bytes(solved)
+    _, out, _ = run(capsys, "plan", "task.yaml", "--iterations", "0", "--json")
+    assert json.loads(out)["kept"] == ["plan.json~"]
+    kept.unlink()
+    for other in (b"notes", b"[1]", b'{"status": "solved"}'):  # no plans
+        old.write_bytes(other)
+        run(capsys, "plan", "task.yaml", "--iterations", "0")
+        assert not kept.exists()
+
+
 def test_out_of_reach_names_what_was_refused(task, capsys):
     far = changed("center: [0.65, 0.0]", "center: [1.1, 0.0]")
     task.write_text(changed("x: 0.60", "x: 1.1", far))

@@ -193,8 +193,12 @@ def plan_file(name: str) -> str:
 
 def write(output: Path, row: Row, plan: str) -> None:
     """Writes the plan of a row atomically; raises TaskError."""
+    from ..plan_files import keep_solved
+
     path = output / row["plan"]
     make_folder(path.parent)
+    if row["status"] != "solved":
+        keep_solved(path)
     files.write(path, plan)
 
 

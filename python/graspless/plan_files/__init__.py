@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .. import files
 from .._any_plan import AnyPlan
 from .._arguments import require_path
 from ..errors import TaskError, told
@@ -16,8 +18,6 @@ from ..tasks.reading import parse_yaml, read_text
 from ..tasks.source import MOST_DIGITS, Source
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from .._plan import Plan
 
 
@@ -63,6 +63,19 @@ def as_motion(plan: Plan | str | Path, purpose: str, *statuses: str) -> Plan:
         raise TaskError(f"the plan's status is {plan.status}, not solved: nothing to {purpose}")
     require_motion(plan, purpose)
     return plan
+
+
+def keep_solved(path: str | Path) -> Path | None:
+    """Sets a solved plan aside, before one that is not solved is written in its place.
+
+    Returns its new path, or None if there is no solved plan.
+    """
+    try:
+        document = json.loads(read_text(path))
+    except (TaskError, ValueError, RecursionError):
+        return None
+    is_solved = isinstance(document, dict) and document.get("status") == "solved"
+    return files.set_aside(Path(path)) if is_solved and "format" in document else None
 
 
 def read_plan(text: str, file: str) -> Plan:
