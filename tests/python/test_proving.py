@@ -328,6 +328,32 @@ def test_a_time_limit_ends_processes(capfd):
     assert capfd.readouterr().err == ""
 
 
+def test_an_error_of_the_engine_loses_no_plan(task, engine, tmp_path, capsys):
+    def breaks_at(seed):
+        def failures(plan, variation):
+            if not variation.is_nominal and plan.seed == seed:
+                raise RuntimeError("mj_step: stack overflow")
+            return ["tipped"]
+
+        return failures
+
+    for seed, trials_done, plans in ((4, 3, 2), (3, 1, 1)):
+        engine(breaks_at(seed))
+        plan = graspless.plan(task, iterations=5000, prove=2)
+        assert (plan.seed, plan.proof.trials, plan.proof.plans) == (3, trials_done, plans)
+        assert (bool(plan), bool(plan.proof), plan.proof.ended) == (True, False, "error")
+        why = "the physics engine failed: RuntimeError: mj_step: stack overflow"
+        assert str(plan.proof).endswith(why)
+        plan.save(tmp_path / "plan.json")
+        assert graspless.load_plan(tmp_path / "plan.json").proof == plan.proof
+    (tmp_path / "task.yaml").write_text(GOOD)
+    files = str(tmp_path / "task.yaml"), "-o", str(tmp_path / "new.json")
+    code, out, err = run(capsys, "plan", *files, "--prove", "1")
+    assert (code, err) == (1, "")
+    assert f"held in 0 of 1 trial (2 were asked for); fails: tipped in 1; {why}" in out
+    assert graspless.load_plan(tmp_path / "new.json")
+
+
 def test_a_process_that_dies_is_an_error(task, monkeypatch):
     class Pool:
         crashes = (RuntimeError,)

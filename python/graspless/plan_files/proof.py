@@ -41,6 +41,7 @@ class ProofFields(Fields):
     digest: Annotated[str, Field(pattern="^[0-9a-f]{64}$")] = Field(
         description="sha256 of the plan and its task, without budget, counters and texts"
     )
+    error: str = Field(default="", description="error of the trial that ended the search")
 
     @model_validator(mode="after")
     def _check(self) -> ProofFields:

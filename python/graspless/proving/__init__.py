@@ -55,7 +55,8 @@ def prove(
     -------
     Plan
         The first plan that holds in all trials, otherwise the one that held in the most. Its
-        `proof` has the trials. The first search's result, without proof, if that found no plan.
+        `proof` has the trials, and the error of the engine if one ended them. The first search's
+        result, without proof, if that found no plan.
 
     Raises
     ------
@@ -103,7 +104,7 @@ class _Search:
         self._best: Any = None  # a plan
         self._trials = Trials(variations, 0)  # of the best plan
         self._seen: set[str] = set()  # digests of the plans that were simulated
-        self._ended = ""
+        self._ended = self._error = ""
 
     def run(self) -> None:
         """Searches and simulates until a plan holds, or no more are to come."""
@@ -148,7 +149,7 @@ class _Search:
         most = asked + 1 if is_first else self._trials.failed
         trials = Trials(self._variations, most)
         self._execute(plan, trials, self._deadline)
-        self._ended = trials.ended
+        self._ended, self._error = trials.ended, trials.error
         is_done = len(trials.failures) == asked
         if is_first or (is_done and trials.failed < most):
             self._best, self._trials = plan, trials
@@ -174,6 +175,7 @@ class _Search:
                 engine=simulation.engine(),
                 version=__version__,
                 digest=digest_of(plan),
+                error=self._error,
             )
         return plan
 

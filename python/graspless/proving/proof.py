@@ -17,6 +17,7 @@ ENDS = {
     "no_other_plan": "no other plan was found",
     "out_of_time": "the time limit was reached",
     "interrupted": "interrupted",
+    "error": "the physics engine failed",
 }
 """Reasons why the search for a plan that holds in all trials ended."""
 
@@ -55,6 +56,8 @@ class Proof:
         Version of graspless.
     digest : str
         Digest of the plan and its task, by `digest_of`.
+    error : str
+        Error of the trial that ended the search; otherwise empty.
     """
 
     asked: int
@@ -69,6 +72,7 @@ class Proof:
     engine: str
     version: str
     digest: str
+    error: str = ""
 
     def __bool__(self) -> bool:
         return self.held == self.trials == self.asked
@@ -83,7 +87,8 @@ class Proof:
             failed = (f"{name} in {count}" for name, count in self.failed.items())
             parts.append(f"fails: {', '.join(failed)}")
         best = f"best of {self.plans} plans; " if self.plans > 1 else ""
-        return "; ".join([*parts, best + ENDS[self.ended]])
+        why = f": {self.error}" if self.error else ""
+        return "; ".join([*parts, best + ENDS[self.ended] + why])
 
     @property
     def failed(self) -> dict[str, int]:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import limits
 from .._core import planning
-from ..errors import TaskError
+from ..errors import TaskError, explain
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -24,6 +24,10 @@ if TYPE_CHECKING:
     from ..simulation import Variation
 
     Execute = Callable[[Plan, "Trials", float], None]
+
+
+class TrialError(Exception):
+    """An error of a trial, in one line; also from another process."""
 
 
 @dataclass
@@ -40,12 +44,15 @@ class Trials:
         Names of the failures of each finished trial, by its index.
     ended : str
         Reason why trials are missing, one of `proof.ENDS`; empty if all were done, or enough.
+    error : str
+        Error of the trial that ended the work.
     """
 
     variations: Sequence[Variation]
     most: int
     failures: dict[int, list[str]] = field(default_factory=dict)
     ended: str = ""
+    error: str = ""
 
     @property
     def failed(self) -> int:
@@ -59,7 +66,7 @@ class Trials:
         return list(takewhile(lambda failed: failed is not None, ordered))  # type: ignore[arg-type]
 
     def take(self, results: Iterable[tuple[int, list[str]]]) -> None:
-        """Takes results until `most` trials have failed. Ctrl-C and a time limit end it."""
+        """Takes results until `most` trials have failed. Ctrl-C, a time limit and errors end it."""
         try:
             for k, failed in results:
                 self.failures[k] = failed
@@ -69,6 +76,8 @@ class Trials:
             self.ended = "out_of_time"
         except KeyboardInterrupt:
             self.ended = "interrupted"
+        except TrialError as error:
+            self.ended, self.error = "error", str(error)
 
 
 @contextlib.contextmanager
@@ -150,11 +159,18 @@ def _work(given: tuple[float, str, Variation]) -> list[str] | None:
 
 
 def _within(left: float, plan: Any, variation: Variation) -> list[str]:
-    """Returns the failures of a trial, which has `left` seconds."""
+    """Returns the failures of a trial, which has `left` seconds.
+
+    Raises TrialError for any error of the engine.
+    """
     from ..simulation import simulation_kind
 
+    kind = simulation_kind(plan.kind)
     with limits.within(left):
-        return list(simulation_kind(plan.kind).run(plan, variation).failures)
+        try:
+            return list(kind.run(plan, variation).failures)
+        except Exception as error:  # whatever MuJoCo raises: the plan was found in spite of it
+            raise TrialError(explain(error)) from error
 
 
 @lru_cache(maxsize=1)
