@@ -62,6 +62,17 @@ def explain(error: BaseException) -> str:
     return f"{type(error).__name__}: {first}" if first else type(error).__name__
 
 
+def warn(text: str) -> None:
+    """Warns at the line of the user's program that called the library."""
+    import warnings
+
+    level, frame = 1, sys._getframe()
+    package = __name__.partition(".")[0]
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == package:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, stacklevel=level)
+
+
 def suggestion(name: object, known: Collection[str], most: int = 1, cutoff: float = 0.6) -> str:
     """Returns "; did you mean 'slide'?" for a misspelt name, or nothing if no other is similar."""
     import difflib  # takes time, and errors alone need it

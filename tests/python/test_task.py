@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import struct
+import warnings
 
 import numpy as np
 import pytest
@@ -221,6 +222,23 @@ def test_robot_without_srdf_or_hand_file_gets_a_proposal(write, tmp_path):
     with pytest.warns(UserWarning, match=r"robot: no description of the hand: proposed"):
         robot = graspless.load_task(path).problem.robot
     assert robot.group("arm") == robot.group("my_arm")
+
+
+def test_warnings_point_at_the_line_that_called(write, tmp_path):
+    shutil.copy(_data.directory("urdf") / "wam_t42.urdf", tmp_path / "bare.urdf")
+    text = changed("yaw: 0.3", "yaw: 90", changed("wam_t42", str(tmp_path / "bare.urdf")))
+    path = write(text)
+    document = parse_yaml(text, "task").data
+    for call in (
+        lambda: graspless.load_task(path),
+        lambda: graspless.plan(path, iterations=0),
+        lambda: graspless.plan(document, iterations=0),
+    ):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            call()
+        assert len(caught) == 2  # of the yaw, and of what was proposed
+        assert {warning.filename for warning in caught} == {__file__}
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,12 @@
 from __future__ import annotations
 
 import re
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from ..errors import warn
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -58,7 +59,7 @@ def read_cloud(path: str | Path) -> Matrix:
         what = f"{broken} of {len(points)} points are not finite (NaN or Inf)"
         if broken == len(points):
             raise ValueError(what)
-        warnings.warn(f"{path}: {what} and are left out", stacklevel=2)
+        warn(f"{path}: {what} and are left out")
     return np.asarray(points[is_finite])
 
 

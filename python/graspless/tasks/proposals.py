@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .robots import build_robot
@@ -59,7 +58,7 @@ def with_proposal(
         *(["description of the hand"] if hand is None else []),
     ]
     note = f"no {' and no '.join(lacking)}: proposed {found.summary(kind, given)}"
-    warnings.warn(source.message(("robot",), note), stacklevel=5)
+    source.warn(("robot",), note)
     changes = {"urdf_text": found.urdf, "srdf_text": found.srdf}
     completed = model.model_validate(proposed | given)
     return robot.model_copy(update=changes), completed, note

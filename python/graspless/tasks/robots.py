@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import threading
 import time
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
@@ -139,8 +138,7 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
             if len(built.warnings) > 1
             else ""
         )
-        text = source.message(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
-        warnings.warn(text, stacklevel=4)
+        source.warn(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
     return built
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
-from ..errors import TaskError, explain, one_of, suggestion
+from ..errors import TaskError, explain, one_of, suggestion, warn
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -67,6 +67,9 @@ class Source:
 
     def error(self, location: Iterable[str | int], what: str) -> TaskError:
         return TaskError(self.message(location, what))
+
+    def warn(self, location: Iterable[str | int], what: str) -> None:
+        warn(self.message(location, what))
 
     def given(self, *location: str) -> set[str]:
         """Returns the names of the fields in a section of the file."""

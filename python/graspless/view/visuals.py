@@ -4,10 +4,10 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from .. import _mesh_reader
+from ..errors import warn
 from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh, mesh_path, package_of
 
 if TYPE_CHECKING:
@@ -54,4 +54,4 @@ def warn_once(text: str) -> None:
     """Warns once: a picture and a replay build the same bodies several times."""
     if text not in _warned:
         _warned.add(text)
-        warnings.warn(text, stacklevel=3)
+        warn(text)

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from .. import scenes
@@ -62,7 +61,7 @@ def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask
     scene = scenes.load(fields.object.scene, source, ("object", "scene"), directory)
     thing = scenes.named(scene.objects, fields.object.name, source, ("object", "name"))
     for warning in thing.warnings:
-        warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
+        source.warn(("object", "name"), warning)
     update = {
         "scene": None,
         "points": rows_of(thing.points),

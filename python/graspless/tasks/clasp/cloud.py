@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -59,9 +58,7 @@ def object_points(thing: model.Object, source: Source, directory: Path) -> Matri
         what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
         hint = "; of a file in millimetres write 'unit: mm' beside it"
         is_file = thing.cloud is not None or thing.mesh is not None
-        warnings.warn(
-            source.message(("object", field), what + (hint if is_file else "")), stacklevel=5
-        )
+        source.warn(("object", field), what + (hint if is_file else ""))
     if thing.views:
         with at(source, "object", "views"):
             points = _seen(points, thing.views)

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import re
-import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -61,7 +60,7 @@ def build_object(thing: model.Object, source: Source) -> fingertip.Object:
     if size.max() > LARGEST:
         what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
         hint = "; of a mesh in millimetres write 'unit: mm'" if field == "mesh" else ""
-        warnings.warn(source.message(("object", field), what + hint), stacklevel=4)
+        source.warn(("object", field), what + hint)
     if thing.density is not None:
         with at(source, "object", "density"):
             built = _rebuilt(thing, thing.density * _volume(built))
@@ -86,7 +85,7 @@ def build_planes(task: model.FingertipTask, source: Source) -> list[fingertip.Pl
             raise source.error(("walls", i, "normal"), f"{wall.normal}: must not be zero")
         if abs(length - 1) > 1e-6:
             what = f"{wall.normal}: has length {length:.4g}, not 1; it is normalised"
-            warnings.warn(source.message(("walls", i, "normal"), what), stacklevel=4)
+            source.warn(("walls", i, "normal"), what)
         normal /= length
         # An offset is along the unit normal, as it says.
         offset = float(normal @ wall.point) if wall.point is not None else wall.offset or 0.0
@@ -100,7 +99,7 @@ def build_fingers(fingers: model.Fingers, source: Source) -> fingertip.Fingers:
     """Returns the fingertips."""
     if fingers.radius > LARGEST_FINGER:
         what = "is the radius of a fingertip; lengths are in metres"
-        warnings.warn(source.message(("fingers", "radius"), what), stacklevel=5)
+        source.warn(("fingers", "radius"), what)
     span = {} if fingers.max_span is None else {"max_span": fingers.max_span}
     return fingertip.Fingers(
         **span,

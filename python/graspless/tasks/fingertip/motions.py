@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -112,7 +111,7 @@ class _Walk:
             raise self.source.error((*place, name, "angle"), what)
         if turns > 1 + 1e-3:
             what = "is more than a turn; angles are in radians"
-            warnings.warn(self.source.message((*place, name, "angle"), what), stacklevel=6)
+            self.source.warn((*place, name, "angle"), what)
         with at(self.source, *place, name):
             path: fingertip.Path = getattr(self, f"_{name}")(fields, self.X_WO)
         self.X_WO = np.asarray(path.X_WO)[-1]

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -77,7 +76,7 @@ def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
     thing = scenes.named(scene.objects, task.object.name, source, ("object", "name"))
     support = scenes.named(scene.supports, thing.support, source, ("object", "scene"))
     for warning in thing.warnings:
-        warnings.warn(source.message(("object", "name"), warning), stacklevel=4)
+        source.warn(("object", "name"), warning)
     edges = task.support.usable_edges
     if edges is None:
         edges = scenes.real_edges(support, source, ("object", "scene"))
@@ -146,7 +145,7 @@ def _resolve_object(
     if size.max() > LARGEST:
         what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m"
         hint = "if it is in millimetres, write 'unit: mm' beside it; taken as metres"
-        warnings.warn(source.message(location, f"{what}; {hint}"), stacklevel=4)
+        source.warn(location, f"{what}; {hint}")
     pose = thing.pose
     if thing.frame == "world":
         p_SP = frames.transform(

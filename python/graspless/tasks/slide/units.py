@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -28,10 +27,10 @@ def warn_of_units(task: model.OnSupport, source: Source) -> None:
         for field, size in _sizes(shape):
             if max(size) > largest:
                 what = f"is {size[0]:.4g} x {size[1]:.4g} m; lengths are in metres"
-                _warn(source, (section, field), what)
+                source.warn((section, field), what)
     for location, angle in _angles(task):
         if abs(angle) > 2 * math.pi:
-            _warn(source, location, "is more than a turn; angles are in radians")
+            source.warn(location, "is more than a turn; angles are in radians")
 
 
 def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -55,7 +54,3 @@ def _angles(task: model.OnSupport) -> Iterator[tuple[Location, float]]:
             yield (*location, "rpy", i), angle
     if task.object.pose is not None:
         yield ("object", "pose", "yaw"), task.object.pose.yaw
-
-
-def _warn(source: Source, location: Location, what: str) -> None:
-    warnings.warn(source.message(location, what), stacklevel=5)
