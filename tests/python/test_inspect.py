@@ -210,6 +210,19 @@ def test_fingers_may_always_meet():
     assert pair not in made.ignored_pairs
 
 
+def test_a_wheel_that_no_group_turns_may_touch_its_rail():
+    """As in Interbotix grippers: the wheel turns at the motor, the fingers slide by themselves."""
+    wheel = (
+        small.box("rail", "0.03 0.03 0.02", "0.02 0.02 0.02")
+        + small.joint("rail_mount", "fixed", "palm", "rail")
+        + small.box("wheel", "0 0 0.02", "0.06 0.01 0.01")
+        + small.joint("motor", "continuous", "palm", "wheel", "0.03 0 0")
+    )
+    made = robot.inspect(read(small.gripper(hand=small.prismatic() + wheel))).robot
+    pair = tuple(sorted((made.frame("rail"), made.frame("wheel"))))
+    assert pair in made.ignored_pairs
+
+
 def test_three_fingers_close_against_a_thumb():
     found = robot.inspect(read(small.gripper(hand=small.three_fingers())))
     assert found.hand == {}  # a slide needs two fingers

@@ -23,8 +23,8 @@ constexpr std::size_t kSolutions = 4;  // of inverse kinematics, for each hand p
 constexpr std::size_t kSearched = 4;   // poses to which a tree is grown
 constexpr int kIterations = 400;       // of each
 
-/// An arm with fewer than six joints reaches a pose only if its axes are exactly parallel or square.
-/// URDFs round them: 1.5708 for a right angle.
+/// An arm with fewer than six joints reaches a pose only if its axes are exactly parallel or
+/// square. URDFs round them: 1.5708 for a right angle.
 robot::Ik make_ik(const Problem& problem, const slide::Arm& arm) {
   constexpr double kRounded = 2e-5;  // [m], [rad]
   robot::Ik::Options options;
