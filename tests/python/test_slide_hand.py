@@ -3,6 +3,8 @@
 """Arms and hands that no slide is possible with are refused, with the lengths in the way."""
 
 import pytest
+import trimesh
+from trimesh.creation import box
 
 import graspless
 import inspect_common as small
@@ -46,4 +48,30 @@ def test_arm_of_five_joints_pinches_from_above(tmp_path):
     here = {"urdf": str(tmp_path / "mine.urdf")}
     pinched = graspless.plan(TASK | {"kind": "pinch", "robot": here, "object": box})
     assert pinched, pinched.reason
+    assert graspless.check(pinched) == []
+
+
+def test_pads_of_a_mesh_are_at_its_end(tmp_path):
+    """Fingers of one mesh each, with a bump of 2 mm at their base that touches no object."""
+    size, middle = (0.02, 0.01, 0.08), (0, 0.005, 0.04)
+    hand = small.prismatic()
+    for side, sign in (("left", 1), ("right", -1)):
+        parts = [
+            box(size, trimesh.transformations.translation_matrix([0, sign * middle[1], middle[2]])),
+            box(
+                size[:2] + (0.01,),
+                trimesh.transformations.translation_matrix([0, sign * 0.003, 0.01]),
+            ),
+        ]
+        trimesh.util.concatenate(parts).export(tmp_path / f"{side}.stl")
+        given = small.box(side, f"0 {sign * middle[1]} {middle[2]}", "0.02 0.01 0.08")
+        assert given in hand
+        mesh = f'<mesh filename="{tmp_path / side}.stl"/>'
+        hand = hand.replace(given, small.link(side, "0 0 0", mesh))
+    thing = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06}
+    robot.inspect(robot.Robot.from_urdf(small.gripper(hand=hand)), name="mine").write(tmp_path)
+    here = {"urdf": str(tmp_path / "mine.urdf")}
+    pinched = graspless.plan(TASK | {"kind": "pinch", "robot": here, "object": thing})
+    assert pinched, pinched.reason
+    assert pinched.opening == pytest.approx(0.06, abs=1e-6)
     assert graspless.check(pinched) == []

@@ -11,6 +11,7 @@
 #include "graspless/watch.hpp"
 
 #include "pinch/check_contacts.hpp"
+#include "pinch/jaw.hpp"
 #include "scene/edges.hpp"
 #include "scene/rows.hpp"
 #include "slide/check/replay.hpp"
@@ -33,7 +34,11 @@ const std::vector<std::string> kNames = {"approach", "grasp", "close"};
 class Examination {
  public:
   Examination(const Problem& problem, const Plan& plan, const Options& options)
-      : problem_(problem), plan_(plan), options_(options), strict_(problem, 0) {}
+      : problem_(problem),
+        plan_(plan),
+        options_(options),
+        jaw_(problem, options),
+        strict_(problem, 0) {}
 
   Faults run() {
     if (!has_shape()) return faults_;
@@ -118,9 +123,9 @@ class Examination {
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (less + more) / 2;
-      (gap(open + middle * (closed - open)) >= asked ? less : more) = middle;
+      (jaw_.gap(open + middle * (closed - open)) >= asked ? less : more) = middle;
     }
-    return gap(open) > asked ? VectorXd(open + less * (closed - open)) : open;
+    return jaw_.gap(open) > asked ? VectorXd(open + less * (closed - open)) : open;
   }
 
   /// The hand is as open as asked on the straight line, and only the hand moves while it closes.
@@ -200,18 +205,11 @@ class Examination {
     return found;
   }
 
-  /// Distance between the fingers along Y_H at q [m].
-  double gap(const VectorXd& q) const {
-    const Vector3d y = hand_at(q).linear().col(1);
-    const auto a = interval(q, y, true), b = interval(q, y, false);
-    return std::max(a.first - b.second, b.first - a.second);
-  }
-
   /// The opening at the end is the distance of the contacts, and the fingers are off the support.
   void check_closing() {
     const VectorXd& q = plan_.segments[2].positions.back();
     const Vector3d y = hand_at(q).linear().col(1), n = problem_.support.normal_W();
-    const double gap = this->gap(q);
+    const double gap = jaw_.gap(q);
     const double width = (contact(1) - contact(0)).norm();
     const auto& heights = problem_.object.heights();  // whose faces are staircases of cells
     const double uneven = 2 * (kPressed + (heights ? heights->cell : 0));
@@ -250,6 +248,7 @@ class Examination {
   const Problem& problem_;
   const Plan& plan_;
   const Options& options_;
+  Jaw jaw_;
   slide::Replay strict_;
   Faults faults_;
 };

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <variant>
 
 namespace graspless::pinch {
 
@@ -19,25 +20,66 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// The shapes of some links.
-ShapePlaces shapes_of(const robot::Robot& robot, const std::vector<std::string>& links) {
-  ShapePlaces places;
-  for (std::size_t i = 0; i < robot.shapes().size(); ++i) {
-    const auto link = static_cast<std::size_t>(robot.shapes()[i].link);
-    if (contains(links, robot.frame_names()[link])) places.push_back(i);
-  }
-  return places;
+LinkShapes shapes_of(const robot::Robot& robot, const std::vector<std::string>& links) {
+  LinkShapes found;
+  std::copy_if(robot.shapes().begin(), robot.shapes().end(), std::back_inserter(found),
+               [&](const robot::LinkShape& shape) {
+                 return contains(links, robot.frame_names()[static_cast<std::size_t>(shape.link)]);
+               });
+  return found;
 }
 
-/// The shapes of a finger that reach its end. Those behind them may be wider, and hold nothing.
-ShapePlaces at_end(const slide::Problem& problem, const ShapePlaces& finger,
-                   const Eigen::VectorXd& q) {
-  constexpr double kPad = 0.02;  // length of the finger's end [m]
+/// Shapes of links in the hand's frame H at q.
+std::vector<geometry::PlacedShape> in_hand(const slide::Problem& problem, const LinkShapes& shapes,
+                                           const Eigen::VectorXd& q) {
+  const robot::Robot& robot = problem.robot;
+  robot::Poses X_WL;
+  robot.forward(q, X_WL);
+  const Isometry3d X_HW =
+      X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))].inverse();
+  std::vector<geometry::PlacedShape> placed;
+  for (const robot::LinkShape& shape : shapes) {
+    placed.push_back(shape.placed);
+    placed.back().X_BG = X_HW * X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
+  }
+  return placed;
+}
+
+/// Corners of the part of a mesh with p . along >= least, which is not empty. No triangles.
+geometry::Mesh part_of(const geometry::Mesh& mesh, const Vector3d& along, double least) {
+  const Eigen::VectorXd beyond = (mesh.vertices.transpose() * along).array() - least;
+  std::vector<Vector3d> corners;
+  for (Eigen::Index i = 0; i < beyond.size(); ++i) {
+    if (beyond[i] >= 0) corners.emplace_back(mesh.vertices.col(i));
+  }
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      if ((beyond[a] >= 0) == (beyond[b] >= 0)) continue;
+      const double share = beyond[a] / (beyond[a] - beyond[b]);
+      corners.emplace_back((1 - share) * mesh.vertices.col(a) + share * mesh.vertices.col(b));
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(corners.size());
+  return {Eigen::Map<const Eigen::Matrix3Xd>(corners.front().data(), 3, count), {}};
+}
+
+/// The shapes of a finger that reach its end; of meshes, the part within `pad` of it [m]. What is
+/// behind may be wider, and holds nothing.
+LinkShapes at_end(const slide::Problem& problem, const LinkShapes& finger, const Eigen::VectorXd& q,
+                  double pad) {
   const Vector3d forward = Vector3d::UnitZ();
-  const double end = Shapes(problem, finger, q).extent(forward);
-  ShapePlaces found;
-  std::copy_if(finger.begin(), finger.end(), std::back_inserter(found), [&](std::size_t place) {
-    return Shapes(problem, {place}, q).extent(forward) > end - kPad;
-  });
+  const double least = Shapes(problem, finger, q).extent(forward) - pad;
+  const std::vector<geometry::PlacedShape> placed = in_hand(problem, finger, q);
+  LinkShapes found;
+  for (std::size_t i = 0; i < finger.size(); ++i) {
+    if (geometry::extent(placed[i], forward) <= least) continue;
+    found.push_back(finger[i]);
+    auto* mesh = std::get_if<geometry::Mesh>(&found.back().placed.shape);
+    if (mesh == nullptr) continue;
+    const Isometry3d& X_HG = placed[i].X_BG;
+    *mesh = part_of(*mesh, X_HG.linear().row(2).transpose(), least - X_HG.translation().z());
+  }
   return found;
 }
 
@@ -49,18 +91,8 @@ std::pair<double, double> common(const std::pair<double, double>& a,
 
 }  // namespace
 
-Shapes::Shapes(const slide::Problem& problem, const ShapePlaces& places, const Eigen::VectorXd& q) {
-  const robot::Robot& robot = problem.robot;
-  robot::Poses X_WL;
-  robot.forward(q, X_WL);
-  const Isometry3d X_HW =
-      X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))].inverse();
-  for (const std::size_t place : places) {
-    const robot::LinkShape& shape = robot.shapes()[place];
-    shapes_.push_back(shape.placed);
-    shapes_.back().X_BG = X_HW * X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
-  }
-}
+Shapes::Shapes(const slide::Problem& problem, const LinkShapes& shapes, const Eigen::VectorXd& q)
+    : shapes_(in_hand(problem, shapes, q)) {}
 
 double Shapes::extent(const Vector3d& direction_H) const {
   const double length = direction_H.norm();
@@ -99,8 +131,10 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
   for (const int joint : problem.robot.group(problem.hand.arm)) {
     q_open_[joint] = q_closed_[joint] = problem.q_home[joint];
   }
-  own_face_ = at_end(problem, own_, q_open_);
-  other_face_ = at_end(problem, others_, q_open_);
+  constexpr double kPad = 0.02;  // length of the ends that hold the object [m]
+  const double pad = std::max(kPad, 2 * depth_);
+  own_face_ = at_end(problem, own_, q_open_, pad);
+  other_face_ = at_end(problem, others_, q_open_, pad);
   const Vector3d y = Vector3d::UnitY();
   const Shapes own(problem, own_face_, q_open_), other(problem, other_face_, q_open_);
   const double own_middle = own.extent(y) - own.extent(-y),
@@ -147,9 +181,9 @@ std::optional<Grip> Jaw::at_width(double width) const {
 
 std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
   std::array<Eigen::AlignedBox3d, 2> boxes;
-  const std::array places{&own_, &others_};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Shapes finger(problem_, *places[i], q_open_);
+  const std::array both{&own_, &others_};
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    const Shapes finger(problem_, *both[i], q_open_);
     const auto corner = [&](double sign) {
       return Vector3d(sign * finger.extent(sign * Vector3d::UnitX()),
                       sign * finger.extent(sign * Vector3d::UnitY()),
@@ -175,7 +209,7 @@ Eigen::VectorXd Jaw::gap_rates(double closing) const {
 }
 
 std::vector<Shapes> Jaw::fingers(const std::vector<Grip>& grips) const {
-  const ShapePlaces all = shapes_of(problem_.robot, problem_.hand.fingers);
+  const LinkShapes all = shapes_of(problem_.robot, problem_.hand.fingers);
   std::vector<Shapes> found{Shapes(problem_, all, q_open_)};
   for (const Grip& grip : grips) found.emplace_back(problem_, all, grip.q);
   return found;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,18 +10,18 @@
 #include <Eigen/Geometry>
 
 #include "graspless/pinch/options.hpp"
+#include "graspless/robot/robot.hpp"
 #include "graspless/slide/problem.hpp"
 
 namespace graspless::pinch {
 
-/// Some shapes of the robot, by their places in robot.shapes().
-using ShapePlaces = std::vector<std::size_t>;
+using LinkShapes = std::vector<robot::LinkShape>;
 
-/// Some shapes of the robot, for their extents along directions of one frame.
+/// Shapes of links, for their extents along directions of one frame.
 class Shapes {
  public:
   /// The shapes at q, in the hand's frame H.
-  Shapes(const slide::Problem& problem, const ShapePlaces& places, const Eigen::VectorXd& q);
+  Shapes(const slide::Problem& problem, const LinkShapes& shapes, const Eigen::VectorXd& q);
   /// Largest coordinate along a direction of any length, from the origin of H [m].
   double extent(const Eigen::Vector3d& direction_H) const;
   /// Interval of the coordinates along the unit vector `axis_H` of those points that are outermost
@@ -76,8 +75,8 @@ class Jaw {
 
   const slide::Problem& problem_;
   double depth_;
-  ShapePlaces own_, others_;           // of hand.sliding_finger, and of the other hand.fingers
-  ShapePlaces own_face_, other_face_;  // those of both that hold the object
+  LinkShapes own_, others_;           // of hand.sliding_finger, and of the other hand.fingers
+  LinkShapes own_face_, other_face_;  // the parts of both that hold the object
   Eigen::VectorXd q_open_, q_closed_;
   double side_;  // 1 if the sliding finger is on the positive side of Y_H, or -1
   double widest_;

@@ -162,7 +162,8 @@ class Search {
     append("close", pinch.close, plan);
     plan.status = Status::solved;
     plan.reason.clear();
-    plan.X_WH_grasp = pinch.grasp.X_WH;
+    plan.X_WH_grasp =
+        problem_.robot.pose(problem_.robot.frame(problem_.hand.grasp_frame), straight.back());
     plan.friction = pinch.grasp.faces.friction;
     plan.max_mass = pinch.grasp.faces.max_mass;
     plan.contacts_O.resize(3, 2);
