@@ -208,19 +208,6 @@ def _plan_file() -> list[Callable[[], Done]]:
     return [run]
 
 
-def _timed_slides() -> Iterator[Callable[[], Done]]:
-    from ..slide import grid as slides
-
-    for start in slides.starts(CHECKED, SEED):
-        trial = slides.Trial(start)
-        plan = slide.plan(trial.make_problem(), trial.make_options(), trial.make_budget(10))
-        yield partial(_timed, plan)
-
-
-def _timed(plan: Any) -> Done:
-    return Done(True, graspless.time(plan).duration)
-
-
 CASES = fingertips.CASES
 FOUR = CASES["a"] | {"fingers": CASES["a"]["fingers"] | {"count": 4}}
 TWICE = {trial.case: trial.document for trial in fingertips.faces(("fast",))}["two tumbles"]
@@ -235,7 +222,6 @@ QUERIES = (
     ),
     Query("slide: check", _checks_of_slides),
     Query("slide: plan file saved and loaded", _plan_file),
-    Query("slide: timed", _timed_slides),
     Query("fingertip: a, b, c, d", _fingertips(*(CASES[c] for c in "abcd")), room="fingertip"),
     Query("fingertip: c, d", _fingertips(CASES["c"], CASES["d"]), is_wall=True),
     Query(

@@ -68,12 +68,13 @@ geometry::Mesh part_of(const geometry::Mesh& mesh, const Vector3d& along, double
 /// behind may be wider, and holds nothing.
 LinkShapes at_end(const slide::Problem& problem, const LinkShapes& finger, const Eigen::VectorXd& q,
                   double pad) {
+  constexpr double kRounding = 1e-9;  // [m]
   const Vector3d forward = Vector3d::UnitZ();
   const double least = Shapes(problem, finger, q).extent(forward) - pad;
   const std::vector<geometry::PlacedShape> placed = in_hand(problem, finger, q);
   LinkShapes found;
   for (std::size_t i = 0; i < finger.size(); ++i) {
-    if (geometry::extent(placed[i], forward) <= least) continue;
+    if (geometry::extent(placed[i], forward) <= least + kRounding) continue;
     found.push_back(finger[i]);
     auto* mesh = std::get_if<geometry::Mesh>(&found.back().placed.shape);
     if (mesh == nullptr) continue;
