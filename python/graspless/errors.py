@@ -81,6 +81,11 @@ def suggestion(name: object, known: Collection[str], most: int = 1, cutoff: floa
     return f"; did you mean {' or '.join(map(repr, close))}?" if close else ""
 
 
+def should_be(name: object, known: Collection[str]) -> str:
+    """Returns what a message asks of an unknown name: all choices, and a suggestion."""
+    return f"should be one of {', '.join(known)}{suggestion(name, known)}"
+
+
 def one_of(name: object, known: Collection[str]) -> str:
     """Returns the end of a message about an unknown name: a suggestion, and all choices."""
     return f"{suggestion(name, known)} (one of: {', '.join(known)})"

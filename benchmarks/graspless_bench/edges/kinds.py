@@ -45,7 +45,7 @@ class Carried(NamedTuple):
     def segments(self) -> list[Any]:
         """The segments of the joint paths, with the names that their certificate gives them."""
         return [
-            fingertip.JointSegment(f"joint segment {i} ({s.name})", s.positions, s.X_WO)
+            slide.Segment(f"joint segment {i} ({s.name})", s.positions, s.X_WO)
             for i, s in enumerate(self.paths.segments)
         ]
 
@@ -77,19 +77,16 @@ class Carrier:
 
     def check(self, problem: Any, found: Carried, options: Any) -> list[str]:
         """Returns the faults of both."""
-        a = self._arm
-        return core_fingertip.check(
-            problem, found.plan, options
-        ) + core_fingertip.check_realization(
-            problem, found.plan, a.robot, a.carrier, found.paths, a.options
-        )
+        of_paths = core_fingertip.check_realization(*self._carried(problem, found))
+        return core_fingertip.check(problem, found.plan, options) + of_paths
 
     def certify(self, problem: Any, found: Carried, _: Any) -> Any:
         """Returns the certificate of the joint paths."""
+        return core_fingertip.certify_realization(*self._carried(problem, found))
+
+    def _carried(self, problem: Any, found: Carried) -> tuple[Any, ...]:
         a = self._arm
-        return core_fingertip.certify_realization(
-            problem, found.plan, a.robot, a.carrier, found.paths, a.options
-        )
+        return problem, found.plan, a.robot, a.carrier, found.paths, a.options
 
 
 @dataclasses.dataclass(frozen=True)
@@ -131,6 +128,7 @@ class Case:
                 planes=p.planes,
                 friction=p.friction,
                 obstacles=every,
+                gravity_W=p.gravity_W,
             )
         return slides.among(p, every)
 
@@ -147,7 +145,6 @@ class Case:
             for body in fixed:
                 bodies.world.add_pair(held, body)
             return bodies
-        start = segment.X_WO if isinstance(p, fingertip.Problem) else segment.object_poses
         if isinstance(p, clasp.Problem):
             shapes = [geometry.PlacedShape(p.object.surface)]
         elif isinstance(p, fingertip.Problem):
@@ -158,7 +155,7 @@ class Case:
         else:
             bodies.add_obstacle("support", p.support.shapes, p.support.X_WS)
             shapes = p.object.shapes
-        bodies.add_obstacle("object", shapes, start[0], touches_base=False)
+        bodies.add_obstacle("object", shapes, segment.object_poses[0], touches_base=False)
         return bodies
 
 

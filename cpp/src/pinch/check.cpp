@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -118,14 +117,14 @@ class Examination {
   VectorXd coming() const {
     const VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home),
                    closed = problem_.robot.state(problem_.hand.closed, problem_.q_home);
-    const double asked = options_.opening.value_or(std::numeric_limits<double>::infinity());
+    if (!options_.opening || jaw_.gap(open) <= *options_.opening) return open;
     double less = 0, more = 1;  // closed
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (less + more) / 2;
-      (jaw_.gap(open + middle * (closed - open)) >= asked ? less : more) = middle;
+      (jaw_.gap(open + middle * (closed - open)) >= *options_.opening ? less : more) = middle;
     }
-    return jaw_.gap(open) > asked ? VectorXd(open + less * (closed - open)) : open;
+    return open + less * (closed - open);
   }
 
   /// The hand is as open as asked on the straight line, and only the hand moves while it closes.

@@ -70,8 +70,10 @@ LinkShapes at_end(const slide::Problem& problem, const LinkShapes& finger, const
                   double pad) {
   constexpr double kRounding = 1e-9;  // [m]
   const Vector3d forward = Vector3d::UnitZ();
-  const double least = Shapes(problem, finger, q).extent(forward) - pad;
   const std::vector<geometry::PlacedShape> placed = in_hand(problem, finger, q);
+  double end = -std::numeric_limits<double>::infinity();
+  for (const auto& shape : placed) end = std::max(end, geometry::extent(shape, forward));
+  const double least = end - pad;
   LinkShapes found;
   for (std::size_t i = 0; i < finger.size(); ++i) {
     if (geometry::extent(placed[i], forward) <= least + kRounding) continue;

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import geometry
-from ..errors import TaskError, suggestion
+from ..errors import TaskError, should_be
 from .measured import top_share, unseen_share
 from .wish import cloud_fields, distance_to, heights_fields, object_fields, support_fields
 
@@ -37,8 +37,7 @@ def require_strategies(strategies: Iterable[str]) -> list[str]:
     asked = [strategies] if isinstance(strategies, str) else list(strategies)
     for name in asked:
         if name not in STRATEGIES:
-            choices = f"{', '.join(STRATEGIES)}{suggestion(name, STRATEGIES)}"
-            raise TaskError(f"strategies: {name}: should be one of {choices}")
+            raise TaskError(f"strategies: {name}: {should_be(name, STRATEGIES)}")
     if not asked or len(set(asked)) < len(asked):
         raise TaskError(f"strategies: {', '.join(asked) or 'none'}: should name each once")
     return asked

@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import geometry
 from .._arguments import require_path
-from ..errors import TaskError, suggestion
+from ..errors import TaskError, should_be
 from ..perception import Scene
 from ..tasks import scenes
 from ..tasks.documents import rows_of
@@ -132,8 +132,7 @@ def wish_of(
     if grip_force is not None and not 0 < grip_force <= 1000:
         raise TaskError(f"grip_force: {grip_force!r}: should be a force in (0, 1000] N")
     if respect not in scenes.RESPECTS:
-        choices = f"{', '.join(scenes.RESPECTS)}{suggestion(respect, scenes.RESPECTS)}"
-        raise TaskError(f"respect: {respect}: should be one of {choices}")
+        raise TaskError(f"respect: {respect}: {should_be(respect, scenes.RESPECTS)}")
     source = Source(file, {"name": name})
     thing = scenes.named(scene.objects, name, source, ("name",))
     support = scenes.named(scene.supports, thing.support, source, ("name",))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from .._arguments import require_integer
-from ..errors import TaskError, install_command, missing, suggestion
+from ..errors import TaskError, install_command, missing, should_be
 from ..kinds import part
 from ..plan_files import as_motion
 from .results import Recording, Simulation, Trial
@@ -122,8 +122,7 @@ def _drawn(kind: Any, plan: Plan, trials: int, seed: int, condition: str | None)
     if known is None:
         raise TaskError(f"condition: {plan.kind} plans have none (slide plans have)")
     if condition not in known:
-        choices = f"{', '.join(known)}{suggestion(condition, known)}"
-        raise TaskError(f"condition: {condition}: should be one of {choices}")
+        raise TaskError(f"condition: {condition}: {should_be(condition, known)}")
     randoms = (np.random.default_rng([seed, trial]) for trial in range(1, trials + 1))
     return [kind.draw(condition, plan, random) for random in randoms]
 
