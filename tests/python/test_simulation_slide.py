@@ -17,7 +17,7 @@ import yaml
 import graspless
 from graspless import _data, frames, geometry, slide
 from graspless.errors import TaskError
-from graspless.simulation import pinch
+from graspless.simulation import chain, pinch
 from graspless.simulation.robots import apply
 from graspless.simulation.settings import Slide, Solver
 from graspless.simulation.slide import FAILURES, MEASURES
@@ -118,6 +118,29 @@ def test_a_wrist_that_sags_under_the_object_has_lifted_it():
     trial = pinch.run(graspless.plan(document), Variation(), settings=Slide(guarded_stiffness=300))
     assert trial.failures == ()
     assert trial.measures["lift_height"] < Slide().kept_height
+
+
+@pytest.fixture(scope="module")
+def pinched():
+    """A chain of a pinch, by an arm that holds a force, and of a lift by 10 cm."""
+    document = yaml.safe_load((_data.directory("examples") / "25_pinch_box.yaml").read_text())
+    lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.1}}
+    grasp = {"name": "pinch", "kind": "pinch", "hand": {"finger_model": "rigid_guarded"}}
+    document |= {"kind": "chain", "stages": [grasp, lift]}
+    document["object"]["mass"] = 0.5
+    return graspless.plan(document)
+
+
+def test_what_a_wrist_leaves_standing_is_not_lifted(pinched):
+    """The spring gives way by 12 cm under its weight, and the hand rises by 10 cm."""
+    settings = Slide(guarded_stiffness=40)
+    for trial in (
+        pinch.run(pinched.stages[0], Variation(), settings=settings),
+        chain.run(pinched, Variation(), settings=settings),
+    ):
+        assert trial.failures == ("dropped",)
+    assert trial.measures["carried"] < 0.001
+    assert trial.measures["lifted"] == 0
 
 
 def test_a_link_without_inertia_is_named(tmp_path):

@@ -70,7 +70,7 @@ class Judge:
         for a, b in allowed:
             self._allowed[code[a], code[b]] = self._allowed[code[b], code[a]] = True
         self._allowed[code[NEIGHBOUR], :] = self._allowed[:, code[NEIGHBOUR]] = True
-        self._pad, self._object = code[PAD], code[OBJECT]
+        self._pad, self._object, self._foot = code[PAD], code[OBJECT], code[FOOT]
         self._fingers, self._rest = (code[SLIDING], code[OTHER]), code[HAND]
         self._body = model.body(OBJECT).id
         self._others = sorted(set(model.geom_bodyid[self.scene.groups[NEIGHBOUR]]))
@@ -130,7 +130,8 @@ class Judge:
     def holds_clear(self, data: Any) -> bool:
         """Returns True if both fingers touch the object, and nothing but the hand does."""
         a, b = self._kinds(data)
-        other = np.where(a == self._object, b, np.where(b == self._object, a, self._fingers[0]))
+        own = (self._object, self._foot)
+        other = np.where(np.isin(a, own), b, np.where(np.isin(b, own), a, self._fingers[0]))
         return self.holds(data) and bool(np.isin(other, (*self._fingers, self._rest)).all())
 
     def is_touched(self, data: Any) -> bool:
