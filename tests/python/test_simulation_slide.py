@@ -143,6 +143,13 @@ def test_what_a_wrist_leaves_standing_is_not_lifted(pinched):
     assert trial.measures["lifted"] == 0
 
 
+def test_a_wrist_that_sags_under_the_object_has_carried_it(pinched):
+    trial = chain.run(pinched, Variation(), settings=Slide(guarded_stiffness=100))
+    assert trial.failures == ()
+    assert (trial.measures["kept"], trial.measures["lifted"]) == (1, 1)
+    assert trial.measures["carry_error"] == pytest.approx(0.5 * 9.81 / 100, abs=0.002)
+
+
 def test_a_link_without_inertia_is_named(tmp_path):
     for part in (".urdf", ".srdf", ".hand.yaml"):
         text = (_data.directory("urdf") / f"wam_t42{part}").read_text()
