@@ -3,6 +3,7 @@
 """Pinches: task file, plan file, check, timing, simulation and chains."""
 
 import copy
+import re
 import warnings
 
 import numpy as np
@@ -10,8 +11,9 @@ import pytest
 
 import graspless
 import inspect_common as small
-from graspless import pinch, robot
+from graspless import _data, pinch, robot
 from graspless.errors import TaskError
+from graspless.tasks import task_from_dict
 
 TASK = {
     "kind": "pinch",
@@ -181,3 +183,49 @@ def test_fingers_that_turn_keep_off_the_support_while_they_close(tmp_path, hand)
         solved += bool(found)
         assert not found or graspless.check(found) == []
     assert solved >= 3
+
+
+def with_effort(folder, effort):
+    """Writes a WAM with T42 whose URDF gives the motor of the hand an effort limit [Nm]."""
+    for part in (".urdf", ".srdf", ".hand.yaml", ".clasp.yaml"):
+        text = (_data.directory("urdf") / f"wam_t42{part}").read_text()
+        (folder / f"mine{part}").write_text(text.replace('effort="2"', f'effort="{effort}"'))
+    return {"urdf": str(folder / "mine.urdf")}
+
+
+CLASP = {"kind": "clasp", "object": {"name": "purse", "sample": "purse"}}
+
+
+@pytest.mark.parametrize(
+    ("task", "instead"),
+    [(TASK, "write the real limit into the URDF, or give grip_force"), (CLASP, "into the URDF")],
+)
+def test_a_limit_of_effort_that_no_gripper_has_is_told(tmp_path, task, instead):
+    given = task | {"robot": with_effort(tmp_path, 1000)}
+    with pytest.warns(UserWarning, match="joint 'left_finger_joint' has an effort limit") as said:
+        told = task_from_dict(given, "task", resolve=True)
+    assert len(said) == 1
+    text = str(said[0].message)
+    assert text.startswith("task: robot.urdf: ")
+    assert "limit of 1000 Nm" in text
+    assert "few grippers are stronger than 500 N" in text
+    assert text.endswith(instead)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        task_from_dict(told.to_dict(), "plan")  # of what a plan file has, it was told before
+        task_from_dict(task | {"robot": with_effort(tmp_path, 20)}, "task", resolve=True)
+
+
+def test_a_given_force_needs_no_limit_of_effort(tmp_path):
+    task = TASK | {"robot": with_effort(tmp_path, 1000), "options": {"grip_force": 10.0}}
+    assert task_from_dict(task, "task", resolve=True).options.grip_force == 10.0
+
+
+def test_the_force_that_is_told_is_that_of_inspect(tmp_path):
+    given = with_effort(tmp_path, 1000)
+    found = robot.inspect(robot.Robot.from_urdf_file(given["urdf"]))
+    force = next(finding.value for finding in found.findings if finding.field == "grip force")
+    with pytest.warns(UserWarning, match="each finger presses with") as said:
+        task_from_dict(TASK | {"robot": given}, "task", resolve=True)
+    told = float(re.search(r"presses with (\d+) N", str(said[0].message))[1])
+    assert told == pytest.approx(float(force.split()[0]), rel=0.1)

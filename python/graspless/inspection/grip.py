@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from ..tasks.grip import STRONGEST, forces
 from .jaws import at_end
 
 if TYPE_CHECKING:
@@ -14,26 +15,16 @@ if TYPE_CHECKING:
     from .jaws import Jaws
     from .tree import Tree
 
-STEP = 1e-4  # of a joint [rad or m]
-IDLE = 1e-3  # a joint that moves the fingers less does not press [m/rad or 1]
-STRONGEST = 500.0  # of most grippers of arms; above it, limits are often placeholders [N]
-
 
 def describe_grip(tree: Tree, jaws: Jaws) -> tuple[str, str, bool]:
     """Returns the largest force of each finger half way closed, its reason, and if it is sure."""
-    robot, half = tree.robot, (jaws.open + jaws.closed) / 2
-    forces = {}
-    for name in jaws.drivers:
-        moved = half.copy()
-        moved[robot.joint(name)] += STEP
-        rate = abs(_gap(tree, jaws, moved) - _gap(tree, jaws, half)) / STEP
-        if rate > IDLE:
-            forces[name] = float(robot.max_effort[robot.joint(name)]) / rate
-    unknown = [name for name, force in forces.items() if not math.isfinite(force)]
-    if unknown or not forces:
+    half = (jaws.open + jaws.closed) / 2
+    found = forces(tree.robot, jaws.drivers, half, lambda q: _gap(tree, jaws, q))
+    unknown = [name for name, force in found.items() if not math.isfinite(force)]
+    if unknown or not found:
         return "unknown", f"no effort limit of {', '.join(unknown or jaws.drivers)}", False
-    weakest = min(forces, key=lambda name: forces[name])
-    force = forces[weakest]
+    weakest = min(found, key=lambda name: found[name])
+    force = found[weakest]
     why = f"by virtual work, from the effort limit of {weakest}"
     if force > STRONGEST:
         why += "; few grippers are as strong: write the real limit into the URDF"

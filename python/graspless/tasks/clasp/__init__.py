@@ -10,6 +10,7 @@ from .. import scenes
 from ..documents import rows_of
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
+from ..grip import ends_of_curves, warn_of_grip
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..proposals import with_proposal
@@ -88,7 +89,11 @@ def require_resolved(fields: ClaspTask, source: Source) -> None:
 
 def build(fields: ClaspTask, source: Source, other: Source) -> tuple[clasp.Problem, None]:
     """Returns the problem of resolved fields. `other` is the source of the hand."""
-    return build_problem(fields, source, other), None
+    problem = build_problem(fields, source, other)
+    for finger in problem.hand.fingers:
+        ends = ends_of_curves(problem.hand, finger)
+        warn_of_grip(problem.robot, problem.hand, ends, source)
+    return problem, None
 
 
 def options(fields: ClaspTask, problem: clasp.Problem, source: Source) -> clasp.Options:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ... import pinch
 from ..effective_values import in_force as _in_force
+from ..grip import ends_of_jaws, warn_of_grip
 from ..slide import require_resolved, state
 from ..slide.build import build as build_problem
 from ..slide.resolve import resolve
@@ -23,7 +24,12 @@ Fields = PinchTask
 
 def build(fields: PinchTask, source: Source, other: Source) -> tuple[pinch.Problem, None]:
     """Returns the problem of resolved fields. `other` is the source of the hand."""
-    return build_problem(fields, source, other, pinch.Problem), None
+    problem = build_problem(fields, source, other, pinch.Problem)
+    ends = ends_of_jaws(problem.robot, problem.hand)
+    given = fields.options.model_dump(exclude_none=True)
+    if ends is not None and "grip_force" not in given:
+        warn_of_grip(problem.robot, problem.hand, ends, source, ", or give grip_force")
+    return problem, None
 
 
 def options(fields: PinchTask, problem: pinch.Problem, source: Source) -> pinch.Options:
