@@ -50,6 +50,24 @@ def test_reads_a_task(write):
     assert (problem.loops, len(problem.marks), problem.pull_W) == ([], 0, None)
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("rpy: [0, 0, 0.3]", "rpy: [0, 0, 17]", r"object.pose.rpy\[2\]: 17"),
+        ("urdf: kr5_sdh", "urdf: kr5_sdh, pose: {rpy: [90, 0, 0]}", r"robot.pose.rpy\[0\]: 90"),
+        (
+            "object:",
+            "obstacles: [{name: a, box: [1, 1, 1], pose: {position: [9, 0, 0], rpy: [0, -90, 0]}}]"
+            "\nobject:",
+            r"obstacles\[0\].pose.rpy\[1\]: -90",
+        ),
+    ],
+)
+def test_degrees_are_warned_of(write, old, new, place):
+    with pytest.warns(UserWarning, match=place + r"(\.0)?: is more than a turn"):
+        graspless.load_task(write(changed(old, new)))
+
+
 @pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar", "wam_t42"])
 def test_every_hand_that_comes_with_graspless(write, name):
     problem = graspless.load_task(write(changed("kr5_sdh", name))).problem

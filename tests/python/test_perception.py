@@ -252,6 +252,16 @@ def test_bad_arguments_are_refused_by_name(depth, K, X, words):
         graspless.perceive(depth, K, X)
 
 
+def test_a_camera_in_millimetres_is_warned_of():
+    far = X_WC.copy()
+    far[:3, 3] *= 1000
+    words = "X_WC: the camera is .* m from the origin of the world; lengths are in metres"
+    with pytest.warns(UserWarning, match=words):
+        graspless.perceive(FRAME.depth, FRAME.K, far)
+    with pytest.warns(UserWarning, match=r"X_WC\[1\]: the camera is"):
+        graspless.perceive([FRAME.depth] * 2, FRAME.K, np.stack([X_WC, far]))
+
+
 def test_millimetres_are_a_status():
     scene = graspless.perceive((1000 * FRAME.depth).astype(np.uint16), FRAME.K, X_WC)
     assert str(scene.status) == "not_metres"

@@ -238,6 +238,15 @@ def test_refuses_fields_of_robots(given, message):
         Robot.model_validate(given)
 
 
+def test_join_warns_of_millimetres_and_degrees(folder, capsys, monkeypatch):
+    monkeypatch.chdir(folder)
+    command = ["robot", "join", "my_arm/urdf/arm.urdf", "gripper.urdf", "--mount", "tool"]
+    assert cli.main([*command, "--xyz", "0", "0", "50", "--rpy", "0", "0", "90", "-o", "-"]) == 0
+    said = capsys.readouterr().err
+    assert "robot.gripper.pose.position: is 50 m away; lengths are in metres" in said
+    assert "robot.gripper.pose.rpy[2]: 90.0: is more than a turn; angles are in radians" in said
+
+
 def test_join_writes_urdf_and_srdf(folder, capsys, monkeypatch):
     monkeypatch.chdir(folder)
     (folder / "gripper.srdf").write_text("<robot name='g'><group name='hand'/></robot>")

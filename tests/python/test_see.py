@@ -176,6 +176,15 @@ def test_see_says_why_nothing_was_found(folder, capsys):
         load(folder, TASK.replace("scene.yaml", "none.yaml"))
 
 
+def test_see_warns_of_a_camera_in_millimetres(folder, capsys):
+    with np.load(folder / "frame.npz") as frame:
+        far = frame["X_WC"].copy()
+        far[:3, 3] *= 1000
+        np.savez(folder / "far.npz", depth=frame["depth"], K=frame["K"], X_WC=far)
+    main(["see", str(folder / "far.npz"), "-o", str(folder / "off.yaml")])
+    assert "far.npz: the camera is 751.7 m from the origin" in capsys.readouterr().err
+
+
 def test_see_averages_frames_and_joins_views(folder, capsys):
     with np.load(folder / "frame.npz") as frame:
         K, X_WC, depth = frame["K"], frame["X_WC"], frame["depth"]

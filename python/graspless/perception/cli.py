@@ -66,6 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     from .. import files, perception, view
+    from .front import warn_of_camera
 
     if Path(options.output).suffix.lower() not in (".yaml", ".yml"):
         raise TaskError(f"{options.output}: unknown kind of scene file (choices: .yaml, .yml)")
@@ -83,6 +84,8 @@ def _run(options: argparse.Namespace) -> int:
         files.check_writable(options.png)
     _require_cloud(options)
     views = [read_view(Path(path), options.viewpoint) for path in options.files]
+    for path, given in zip(options.files, views, strict=True):
+        warn_of_camera(given, path)
     try:
         scene = perception.perceive_views(views)
     except ValueError as error:

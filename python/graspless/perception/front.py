@@ -10,10 +10,13 @@ import numpy as np
 
 from .._core.perception import Options, Scene, View
 from .._core.perception import perceive as perceive_views
+from ..errors import warn
 from .readers import is_foreign, matrix_of, view_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+FARTHEST = 100.0  # of a camera from the origin of the world [m]
 
 
 def perceive(
@@ -66,9 +69,19 @@ def perceive(
         views = _foreign(list(depth) if several else [depth], K, X_WC)
     else:
         views = _arrays(depth, K, X_WC)
+    for i, view in enumerate(views):
+        warn_of_camera(view, f"X_WC[{i}]" if len(views) > 1 else "X_WC")
     scene = perceive_views(views, Options() if options is None else options)
     scene.stamp = stamp
     return scene
+
+
+def warn_of_camera(view: View, name: str) -> None:
+    """Warns of a camera whose position looks like millimetres."""
+    away = float(np.linalg.norm(view.X_WC[:3, 3]))
+    if away > FARTHEST:
+        what = f"the camera is {away:.4g} m from the origin of the world; lengths are in metres"
+        warn(f"{name}: {what}")
 
 
 def _arrays(depth: ArrayLike, K: Any, X_WC: ArrayLike) -> list[View]:

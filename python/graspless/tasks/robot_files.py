@@ -19,6 +19,7 @@ from .meshes import FOREIGN, prepare_meshes
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
 from .shapes import pose_matrix
 from .source import Source, at
+from .units import FARTHEST, warn_of_pose
 
 if TYPE_CHECKING:
     from .source import Location
@@ -30,6 +31,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
     With a gripper it is the path of the gripper's URDF; None if links of it were renamed or left
     out, because the files beside it have the old names.
     """
+    warn_of_pose(robot.pose, ("robot", "pose"), source)
     if robot.urdf_text is not None:
         with at(source, "robot", "urdf_text"):
             robot_meshes(robot)
@@ -60,6 +62,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
 def _with_gripper(
     arm: robots.Description, gripper: Gripper, source: Source, directory: Path
 ) -> tuple[robots.Description, Path | None]:
+    warn_of_pose(gripper.pose, ("robot", "gripper", "pose"), source, FARTHEST)
     field = "file" if gripper.file is not None else "name"
     description, path = _read(gripper, field, ("robot", "gripper", field), source, directory)
     with at(source, "robot", "gripper"):

@@ -4,14 +4,14 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
+
+from ..units import warn_of_angle, warn_of_pose
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from .. import shapes
-    from ..source import Location, Source
+    from ..source import Source
     from . import model
 
 LARGEST = 2.0  # [m]; something wider than this is not slid over a table by one finger
@@ -28,9 +28,9 @@ def warn_of_units(task: model.OnSupport, source: Source) -> None:
             if max(size) > largest:
                 what = f"is {size[0]:.4g} x {size[1]:.4g} m; lengths are in metres"
                 source.warn((section, field), what)
-    for location, angle in _angles(task):
-        if abs(angle) > 2 * math.pi:
-            source.warn(location, "is more than a turn; angles are in radians")
+    warn_of_pose(task.support.pose, ("support", "pose"), source)
+    if task.object.pose is not None:
+        warn_of_angle(task.object.pose.yaw, ("object", "pose", "yaw"), source)
 
 
 def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -41,16 +41,3 @@ def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[flo
     if shape.polygon is not None:
         x, y = zip(*shape.polygon, strict=True)
         yield "polygon", (max(x) - min(x), max(y) - min(y))
-
-
-def _angles(task: model.OnSupport) -> Iterator[tuple[Location, float]]:
-    poses: list[tuple[Location, shapes.Pose | None]] = [
-        (("robot", "pose"), task.robot.pose),
-        (("support", "pose"), task.support.pose),
-        *((("obstacles", i, "pose"), obstacle.pose) for i, obstacle in enumerate(task.obstacles)),
-    ]
-    for location, pose in poses:
-        for i, angle in enumerate((pose and pose.rpy) or []):
-            yield (*location, "rpy", i), angle
-    if task.object.pose is not None:
-        yield ("object", "pose", "yaw"), task.object.pose.yaw
