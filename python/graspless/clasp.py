@@ -65,6 +65,8 @@ if TYPE_CHECKING:
 
     Task = tasks.Task[Problem, Options, "Plan"]
 
+_GRAVITY = 9.81  # [m/s^2]
+
 
 class Segment(_core.Segment):
     """Part of a motion: reach or close. No joint moves by more than 0.05 rad between two rows.
@@ -129,6 +131,27 @@ class Plan(AnyPlan, _core.Plan):
             for s in found.segments
         ]
         return cls._of_changed(found, task, changes)
+
+    @classmethod
+    def _search(cls, task: Any, budget: Budget) -> Plan:
+        plan = super()._search(task, budget)
+        plan.warnings = [*plan.warnings, *plan._weighed()]
+        return plan
+
+    def _weighed(self) -> list[str]:
+        """Returns a warning if the object of the task is heavier than what the hand withstands."""
+        mass = getattr(getattr(self.task._fields, "object", None), "mass", None)
+        load = self.task.options.stability
+        if mass is None or self.stability is None or load.force == 0:
+            return []
+        borne = self.stability.withstands
+        if self.pinch is not None and self.pinch.holds:
+            borne = max(borne, self.pinch.load * load.force)
+        weight = _GRAVITY * mass
+        if weight <= borne:
+            return []
+        what = f"withstands a sudden {borne:.3g} N at most: it may be forced open"
+        return [f"the object weighs {weight:.4g} N, and the hand {what}"]
 
     def _faults(self) -> list[str]:
         """Returns the faults of a solved plan."""

@@ -155,6 +155,20 @@ def test_report_names_loop_fingers_and_margin(plan):
     json.dumps(printed)
 
 
+@pytest.mark.parametrize(("mass", "is_too_heavy"), [(0.1, False), (1000, True)])
+def test_an_object_that_is_heavier_than_the_load_is_told(plan, tmp_path, mass, is_too_heavy):
+    text = changed("sample: purse", f"sample: purse\n  mass: {mass}")
+    heavy = graspless.plan(read_task(text, "purse.yaml"))
+    assert heavy.stability.withstands == plan.stability.withstands
+    words = [
+        f"the object weighs 9810 N, and the hand withstands a sudden "
+        f"{plan.stability.withstands:.3g} N at most: it may be forced open"
+    ]
+    assert list(heavy.warnings) == (words if is_too_heavy else [])
+    heavy.save(tmp_path / "plan.json")
+    assert graspless.check(graspless.load_plan(tmp_path / "plan.json")) == []
+
+
 def test_cloud_without_a_hole_is_told_with_its_betti_curve(tmp_path):
     import trimesh
 
