@@ -12,6 +12,7 @@ import graspless
 import inspect_common as small
 from graspless import TaskError, frames
 from graspless.robot import Robot
+from graspless.ros.fake_world import World
 from graspless.simulation.robots import joint_addresses, robot_spec
 from graspless.simulation.slide.scene import build_scene
 from graspless.simulation.variation import Variation
@@ -91,6 +92,19 @@ def test_a_finger_without_a_mass_is_refused(plan_of):
     assert light != urdf
     with pytest.raises(TaskError, match="link 'left' has no mass; the simulation needs its <inert"):
         build_scene(plan_of(light), Variation())
+
+
+def test_a_link_that_moves_without_a_mass_is_named_in_the_world_of_ros(tmp_path):
+    (tmp_path / "mine.urdf").write_text(small.gripper())  # its link_3 has no shape either
+    (tmp_path / "mine.srdf").write_text(
+        '<robot name="mine"><group name="arm"><joint name="joint_0"/></group>'
+        '<group_state name="home" group="arm"><joint name="joint_0" value="0"/></group_state>'
+        "</robot>"
+    )
+    with pytest.raises(TaskError, match="link 'link_3' moves and has no mass or inertia"):
+        World(str(tmp_path / "mine.urdf"), ())
+    (tmp_path / "mine.urdf").write_text(heavy(small.gripper()))
+    assert World(str(tmp_path / "mine.urdf"), ()).joint_names[0] == "joint_0"
 
 
 def test_all_links_of_a_finger_may_touch_the_object(plan_of):

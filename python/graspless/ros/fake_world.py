@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from .. import frames, geometry, perception
-from ..simulation.robots import joint_addresses, robot_spec, set_positions
+from ..simulation.robots import compiled, joint_addresses, robot_spec, set_positions
 from ..simulation.shapes import add_placed
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot as RobotFields
@@ -79,7 +79,7 @@ class World:
                 body.add_freejoint()
                 given = {"mass": block.mass, "friction": FRICTION, "condim": 4}
             add_placed(spec, body, _shape(block), name=block.name, **given)
-        self.model = spec.compile()
+        self.model = compiled(spec)
         self.data = mujoco.MjData(self.model)
         self._addresses = joint_addresses(self.model, self.robot)
         self.joint_names = list(self.robot.joint_names)

@@ -113,8 +113,7 @@ def _prepare(
             pulled, found = _pulled(execution, seeds, _pull_direction(pull_W, execution.judge))
             measures |= found
             failures += pulled
-        touched = execution.touched if "hit" in failures else None
-        return Trial(variation, tuple(failures), measures, 0.0, touched=touched)
+        return execution.trial(variation, failures, measures)
 
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 

@@ -93,8 +93,7 @@ def start(
             yield from carried.steps()
             measures |= carried.measures
             failures += carried.failures
-        touched = execution.touched if "hit" in failures else None
-        return Trial(variation, tuple(failures), measures, 0.0, touched=touched)
+        return execution.trial(variation, failures, measures)
 
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 

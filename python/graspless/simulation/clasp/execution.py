@@ -13,17 +13,18 @@ import numpy as np
 
 from ... import limits
 from ...tasks.clasp.hand import hand_of
-from ..results import Recording
+from ..results import Recording, Trial
 from ..robots import lags
 from .judge import Judge
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Iterator
+    from collections.abc import Generator, Iterator, Sequence
 
     from ... import clasp
     from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
+    from ..variation import Variation
     from .model import World
 
 LOOK = 0.02  # between two observations, and two rows of a recording [s]
@@ -234,6 +235,13 @@ class Execution:
             force += settings.pull_rate * step
         self.world.data.xfrc_applied[body] = 0.0
         return min(force, settings.pull_most)
+
+    def trial(
+        self, variation: Variation, failures: Sequence[str], measures: dict[str, float]
+    ) -> Trial:
+        """Returns the trial. What the robot touched after the hand had closed is no failure."""
+        touched = self.touched if "hit" in failures else None
+        return Trial(variation, tuple(failures), measures, 0.0, touched=touched)
 
     def save(self) -> Any:
         """Returns the state for `set_back`."""
