@@ -45,8 +45,7 @@ def _run(options: argparse.Namespace) -> int:
     files = [file for file in beside if file.is_file()] if given is None else [given]
     if not files:
         raise TaskError(
-            f"robot check: neither {beside[0]} nor {beside[1]} exists; "
-            "graspless robot inspect writes them"
+            f"robot check: neither {beside[0]} nor {beside[1]} exists; {_instead(robot)}"
         )
     found = [f"{file}: {fault}" for file in files for fault in _faults(robot, file)]
     if options.json:
@@ -55,6 +54,18 @@ def _run(options: argparse.Namespace) -> int:
         shown = ", ".join(str(file) for file in files)
         print("\n".join(found) or f"{shown}: nothing is wrong")
     return NOT_FOUND if found else FOUND
+
+
+def _instead(robot: Robot) -> str:
+    """Returns how a robot gets the file of a hand, or why it has no hand."""
+    from .inspection.palm import find_palm
+    from .inspection.tree import Tree
+
+    try:
+        find_palm(Tree(robot))
+    except ValueError as error:
+        return str(error)
+    return "graspless robot inspect writes them"
 
 
 def _faults(robot: Robot, file: Path) -> list[str]:

@@ -356,7 +356,10 @@ def test_home_of_an_arm_on_a_torso_is_below_it():
     [
         (small.robot("bare", small.link("base"), small.link("tip"),
                      small.joint("j", "revolute", "base", "tip")), "no link has a collision shape"),
-        (small.robot("arm", small.base(), small.arm()), "no hand was found"),
+        (small.robot("arm", small.base(), small.arm()),
+         "no hand was found: no joint moves a finger .*robot join ARM GRIPPER --mount LINK` adds"),
+        (small.gripper(hand=small.revolute().replace('type="revolute"', 'type="fixed"')),
+         "no joint moves left_finger, right_finger .*robot join ARM GRIPPER"),
         (small.gripper(hand=small.prismatic().replace('upper="0.03"', 'upper="0.0002"')),
          "no joint moves left and right together"),
     ],

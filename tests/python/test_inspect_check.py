@@ -7,7 +7,7 @@ import re
 import pytest
 
 import inspect_common as small
-from graspless import robot, scene
+from graspless import cli, robot, scene
 from graspless.inspection.check import clasp_faults, faults
 from graspless.tasks.clasp.hand import Hand as ClaspHand
 from graspless.tasks.clasp.hand import build_hand as build_clasp_hand
@@ -99,6 +99,14 @@ def test_what_the_planner_refuses_is_told():
     (fault,) = found_in(found.robot, flat)
     assert fault.startswith("fingertip 'left_fingertip': at pitch ")
     assert "the sliding finger is 18 mm below the contact" in fault
+
+
+def test_check_of_a_bare_arm_says_how_it_gets_a_hand(tmp_path, capsys):
+    (tmp_path / "arm.urdf").write_text(small.robot("arm", small.base(), small.arm()))
+    assert cli.main(["robot", "check", str(tmp_path / "arm.urdf")]) == 2
+    said = capsys.readouterr().err
+    assert "no joint moves a finger" in said
+    assert "`graspless robot join ARM GRIPPER --mount LINK` adds a gripper" in said
 
 
 def test_a_finger_without_shapes_is_named():

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 GRIPPER = re.compile(r"grip|jaw|finger|claw|thumb|pinch", re.IGNORECASE)
 HAND = re.compile(rf"{GRIPPER.pattern}|hand|palm", re.IGNORECASE)
+JOIN = "`graspless robot join ARM GRIPPER --mount LINK` adds a gripper"
 MANY = 5  # largest number of independent joints of a finger
 REACHES_AS_FAR = 0.6  # of a moving jaw's length: how far a fixed jaw must reach
 
@@ -111,8 +112,8 @@ def _require_fingers(tree: Tree, palm: Palm) -> None:
         if count > MANY:
             raise ValueError(
                 f"no hand was found: {_palm_link(tree, palm.body)} carries {finger.name(tree)} by "
-                f"{count} joints, more than the {MANY} of a finger; name its palm, or join a "
-                "gripper to the arm"
+                f"{count} joints, more than the {MANY} of a finger; name its palm if it has one; "
+                f"{JOIN}"
             )
 
 
@@ -137,7 +138,8 @@ def _palm_at(tree: Tree, body: int) -> Palm:
     children = _shaped(tree, body)
     name = _palm_link(tree, body)
     if not children:
-        raise ValueError(f"palm: {name}: no moving link with a collision shape is attached to it")
+        what = "no moving link with a collision shape is attached to it"
+        raise ValueError(f"palm: {name}: {what}; {JOIN}")
     if len(children) == 1:
         return _jaws(tree, body, children[0], is_sure=False)
     fingers = tuple(Finger(tuple(tree.below(child))) for child in children)
@@ -170,9 +172,11 @@ def _jaw(tree: Tree) -> Palm:
             f"no hand was found: {names} move, but have no shape; add the fingers "
             "that are mounted on them"
         )
+    fixed = [tree.links[link] for link in tree.members[leaf] if GRIPPER.search(tree.links[link])]
+    what = f"no joint moves {', '.join(fixed)}" if fixed else "no joint moves a finger"
     raise ValueError(
-        "no hand was found: no link carries two or more moving links, and the last joint "
-        "does not move one jaw against another; name its palm, or join a gripper to the arm"
+        f"no hand was found: {what} (no link carries two or more moving links, and the last "
+        f"joint does not move one jaw against another); {JOIN}"
     )
 
 
