@@ -8,6 +8,8 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from pydantic_core import from_json
+
 from .. import files
 from .._any_plan import AnyPlan
 from .._arguments import require_path
@@ -100,7 +102,7 @@ _TASK = "{}: this is a task, not a plan; graspless plan reads it"
 
 def _parsed(text: str, file: str) -> dict[str, Any]:
     try:
-        data = json.loads(text, parse_constant=_refuse, parse_int=_integer)
+        data = _loaded(text)
     except RecursionError:
         raise TaskError(f"{file}: not valid JSON: nested too deeply") from None
     except ValueError as error:
@@ -116,6 +118,14 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
     if data["format"] != 1:
         raise Source(file, data).error(("format",), "this graspless reads format 1")
     return data
+
+
+def _loaded(text: str) -> Any:
+    """Returns what JSON holds; by a fast reader, or by the one whose errors give the line."""
+    try:
+        return from_json(text, allow_inf_nan=False)
+    except ValueError:
+        return json.loads(text, parse_constant=_refuse, parse_int=_integer)
 
 
 def _is_task(text: str) -> bool:
