@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
@@ -79,6 +80,11 @@ def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> se
     ValueError
         The text is one that other readers of XML may understand in another way.
     """
+    return {mesh_path(name, packages, directory) for name in _mesh_names(urdf)}
+
+
+@lru_cache(maxsize=8)
+def _mesh_names(urdf: str) -> tuple[str, ...]:
     names: list[str] = []
 
     def start(name: str, attributes: dict[str, str]) -> None:
@@ -99,7 +105,7 @@ def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> se
         reader.Parse(urdf, True)
     except expat.ExpatError as error:
         raise ValueError(f"is not well-formed XML: {error}") from None
-    return {mesh_path(name, packages, directory) for name in names}
+    return tuple(names)
 
 
 def package_of(name: str) -> str | None:
