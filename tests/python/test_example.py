@@ -9,7 +9,8 @@ import sys
 import pytest
 
 import graspless
-from graspless import _data, _examples, cli, files
+from graspless import _data, cli, files
+from graspless.cli import examples
 
 FOLDER = _data.directory("examples")
 TASKS = sorted(path.stem for path in FOLDER.glob("*.yaml"))
@@ -18,8 +19,8 @@ SCRIPTS = sorted(path.name for path in FOLDER.glob("[0-9]*.py"))
 
 def test_there_are_five():
     assert len(TASKS) >= 5
-    assert list(_examples.names()) == TASKS
-    assert all(len(about) > 20 for about in _examples.names().values())
+    assert list(examples.names()) == TASKS
+    assert all(len(about) > 20 for about in examples.names().values())
 
 
 @pytest.mark.parametrize("name", TASKS)
@@ -61,7 +62,7 @@ def test_cloud_is_what_its_script_makes(tmp_path):
     ],
 )
 def test_found_by_a_part_of_its_name(name, found):
-    assert _examples.find(name).stem == found
+    assert examples.find(name).stem == found
 
 
 def test_example_leaves_all_its_files(tmp_path, monkeypatch, capsys):

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from graspless import TaskError, cli, robot
-from graspless._robot_inspect import require_used
+from graspless.cli.robot_inspect import require_used
 from graspless.tasks import robots
 from graspless.tasks.robot_files import resolve_robot
 from graspless.tasks.robots import Robot, build_robot, require_text

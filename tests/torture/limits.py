@@ -58,7 +58,7 @@ class Run:
 
 def warm_up() -> None:
     """Imports what every command imports, so that children of a fork begin at once."""
-    names = ["__main__", "cli", "_plan_cli", "_api", "report", "limits"]
+    names = ["__main__", "cli", "cli.plan", "_api", "report", "limits"]
     names += [f"{room}{kind}" for kind in tasks.KINDS for room in ("", "tasks.", "plan_files.")]
     for name in names:
         importlib.import_module(f"graspless.{name}")

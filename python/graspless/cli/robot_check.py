@@ -8,14 +8,14 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ._commands import FOUND, NOT_FOUND
-from ._robot_inspect import add_robot, read_robot
-from .errors import TaskError
+from .._commands import FOUND, NOT_FOUND
+from ..errors import TaskError
+from .robot_inspect import add_robot, read_robot
 
 if TYPE_CHECKING:
     import argparse
 
-    from .robot import Robot
+    from ..robot import Robot
 
 EXAMPLE = "example: graspless robot check my_arm.urdf"
 
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from .tasks.robots import stem
+    from ..tasks.robots import stem
 
     robot, path = read_robot(options, "robot check")
     given = Path(options.hand) if options.hand else None
@@ -58,8 +58,8 @@ def _run(options: argparse.Namespace) -> int:
 
 def _instead(robot: Robot) -> str:
     """Returns how a robot gets the file of a hand, or why it has no hand."""
-    from .inspection.palm import find_palm
-    from .inspection.tree import Tree
+    from ..inspection.palm import find_palm
+    from ..inspection.tree import Tree
 
     try:
         find_palm(Tree(robot))
@@ -70,12 +70,12 @@ def _instead(robot: Robot) -> str:
 
 def _faults(robot: Robot, file: Path) -> list[str]:
     """Returns what is wrong with a file of a hand, for slides or for clasps."""
-    from .inspection import check
-    from .tasks.clasp.hand import Hand as ClaspHand
-    from .tasks.clasp.hand import build_hand as build_clasp_hand
-    from .tasks.reading import read_yaml
-    from .tasks.slide.build import build_hand
-    from .tasks.slide.model import Hand
+    from ..inspection import check
+    from ..tasks.clasp.hand import Hand as ClaspHand
+    from ..tasks.clasp.hand import build_hand as build_clasp_hand
+    from ..tasks.reading import read_yaml
+    from ..tasks.slide.build import build_hand
+    from ..tasks.slide.model import Hand
 
     source = read_yaml(file)
     if "thumb" in source.given():

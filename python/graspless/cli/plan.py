@@ -9,7 +9,7 @@ import json
 import sys
 from typing import Any
 
-from ._commands import (
+from .._commands import (
     EXIT_CODES,
     FOUND,
     INTERRUPTED,
@@ -19,10 +19,10 @@ from ._commands import (
     read_stdin,
     require_apart,
 )
-from ._pictures import add_pictures, check_pictures, draw
-from .errors import TaskError
-from .kinds import part
-from .proving.cli import add_jobs, add_prove, searched
+from .._pictures import add_pictures, check_pictures, draw
+from ..errors import TaskError
+from ..kinds import part
+from ..proving.cli import add_jobs, add_prove, searched
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -80,10 +80,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import _api, files, limits, report
-    from ._load import load_task
-    from .plan_files import keep_solved
-    from .tasks import read_task
+    from .. import _api, files, limits, report
+    from .._load import load_task
+    from ..plan_files import keep_solved
+    from ..tasks import read_task
 
     to_stdout = options.output == "-"
     if not to_stdout:

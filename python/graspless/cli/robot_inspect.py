@@ -9,13 +9,13 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ._commands import FOUND, add_packages, add_trust, given_packages
-from .errors import TaskError, one_of
+from .._commands import FOUND, add_packages, add_trust, given_packages
+from ..errors import TaskError, one_of
 
 if TYPE_CHECKING:
     import argparse
 
-    from .robot import Robot
+    from ..robot import Robot
 
 PORT = 8080
 EXAMPLE = "example: graspless robot inspect panda.urdf -o panda"
@@ -56,8 +56,8 @@ def add_robot(parser: argparse.ArgumentParser) -> None:
 
 def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
     """Returns the robot that the arguments name, and its file."""
-    from .tasks import robots, source
-    from .tasks.robot_files import resolve_robot
+    from ..tasks import robots, source
+    from ..tasks.robot_files import resolve_robot
 
     if not options.file and not options.name:
         raise TaskError(f"{command}: give either FILE or --name")
@@ -74,8 +74,8 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
 
 def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
     """Raises TaskError if a --package has no effect. Of xacro files nobody knows which they use."""
-    from .tasks.meshes import packages_of
-    from .tasks.robots import stem
+    from ..tasks.meshes import packages_of
+    from ..tasks.robots import stem
 
     if not options.package:
         return
@@ -93,13 +93,13 @@ def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import files, progress
-    from .report import inspection as report
-    from .robot import inspect
-    from .tasks import robots
+    from .. import files, progress
+    from ..report import inspection as report
+    from ..robot import inspect
+    from ..tasks import robots
 
     if options.serve is not None:
-        from .view import check_viewer
+        from ..view import check_viewer
 
         check_viewer(options.serve)
     robot, path = read_robot(options, "robot inspect")
@@ -115,7 +115,7 @@ def _run(options: argparse.Namespace) -> int:
     kept = _kept(found.files(), folder)
     written = found.write(folder)
     if find_spec("matplotlib") is not None:
-        from .view import figures
+        from ..view import figures
 
         picture = folder / f"{name}.png"
         files.write(picture, figures.as_png(found.plot()))
@@ -135,7 +135,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _kept(texts: dict[str, str], folder: Path) -> list[Path]:
     """Renames files that differ from what takes their place, as somebody may have edited them."""
-    from . import files
+    from .. import files
 
     kept = []
     for name, text in texts.items():

@@ -8,9 +8,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ._commands import FOUND, add_packages, add_trust, given_packages
-from ._robot_inspect import require_used
-from .errors import TaskError
+from .._commands import FOUND, add_packages, add_trust, given_packages
+from ..errors import TaskError
+from .robot_inspect import require_used
 
 if TYPE_CHECKING:
     import argparse
@@ -69,9 +69,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _join(options: argparse.Namespace) -> int:
-    from . import files
-    from .tasks import robots, source
-    from .tasks.robot_files import find_urdf, resolve_robot
+    from .. import files
+    from ..tasks import robots, source
+    from ..tasks.robot_files import find_urdf, resolve_robot
 
     to_stdout = options.output == "-"
     path = Path(options.output)

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ._arguments import require_integer
-from ._commands import FOUND, NOT_FOUND
-from .errors import TaskError
+from .._arguments import require_integer
+from .._commands import FOUND, NOT_FOUND
+from ..errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
 
-    from . import geometry
-    from .frames import Matrix
+    from .. import geometry
+    from ..frames import Matrix
 
 MESHES = (".stl", ".obj", ".off")
 SCENES = (".yaml", ".yml")
@@ -90,8 +90,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import files, geometry, view
-    from .report import loops as report
+    from .. import files, geometry, view
+    from ..report import loops as report
 
     if options.png is not None:
         view.check_png(options.png)
@@ -137,9 +137,9 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
         raise TaskError(f"--unit: {options.unit}: not for scene files, which are in metres")
     if options.viewpoints:
         raise TaskError("--viewpoints: only for clouds; a scene file has its rays")
-    from .perception import load_scene
-    from .tasks.scenes import named
-    from .tasks.source import Source
+    from ..perception import load_scene
+    from ..tasks.scenes import named
+    from ..tasks.source import Source
 
     scene = load_scene(options.file)
     thing = named(scene.objects, options.object, Source("--object", {}), ())
@@ -148,7 +148,7 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
 
 def _rays(points: Matrix, options: argparse.Namespace) -> list[geometry.RayImage]:
     """Returns the rays of the cameras of --viewpoints."""
-    from . import geometry
+    from .. import geometry
 
     if not options.viewpoints:
         return []
@@ -181,8 +181,8 @@ def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
     array [N, 3]
         [m].
     """
-    from . import geometry
-    from .tasks.clouds import SUFFIXES, read_cloud
+    from .. import geometry
+    from ..tasks.clouds import SUFFIXES, read_cloud
 
     scale = 0.001 if unit == "mm" else 1.0
     suffix = Path(path).suffix.lower()

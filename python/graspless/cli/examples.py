@@ -8,10 +8,10 @@ import re
 import shutil
 from pathlib import Path
 
-from . import _api, _data, progress, report, view
-from ._load import load_task
-from .errors import TaskError, one_of
-from .kinds import KINDS
+from .. import _api, _data, progress, report, view
+from .._load import load_task
+from ..errors import TaskError, one_of
+from ..kinds import KINDS
 
 
 def names() -> dict[str, str]:

@@ -17,11 +17,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from . import __version__
-from ._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND, require_apart
-from ._given_plan import given_plan
-from ._pictures import add_pictures, check_pictures, draw
-from .errors import OutOfTimeError, TaskError, explain, suggestion
+from .. import __version__
+from .._commands import BAD_INPUT, CLOSED_PIPE, FOUND, INTERRUPTED, NOT_FOUND, require_apart
+from .._given_plan import given_plan
+from .._pictures import add_pictures, check_pictures, draw
+from ..errors import OutOfTimeError, TaskError, explain, suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -191,25 +191,25 @@ def _add_example(parser: argparse.ArgumentParser) -> None:
 
 
 _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
-    "plan": ("plan a task and write the plan", _of("._plan_cli")),
+    "plan": ("plan a task and write the plan", _of(".plan")),
     "check": ("check a plan by replaying it", _add_check),
     "view": ("view a plan, or draw it to a file", _add_view),
-    "simulate": ("execute a plan in the MuJoCo physics engine", _of(".simulation.cli")),
-    "export": ("export a timed plan for ROS, MuJoCo and others", _of(".formats.cli")),
-    "batch": ("plan many tasks in parallel", _of(".batches.cli")),
-    "robot": ("propose, check and join descriptions of robots", _of("._robot_cli")),
-    "loops": ("find the holes of a point cloud or a mesh", _of("._loops")),
-    "pick": ("pick up an object of a scene by whichever way works", _of(".picking.cli")),
-    "see": ("find tables and objects in depth images", _of(".perception.cli")),
-    "demonstrate": ("record the planner in MuJoCo, for learners", _of("._demonstrate")),
-    "ros": ("run graspless in ROS 2, or a demo of it", _of(".ros.cli")),
+    "simulate": ("execute a plan in the MuJoCo physics engine", _of("..simulation.cli")),
+    "export": ("export a timed plan for ROS, MuJoCo and others", _of("..formats.cli")),
+    "batch": ("plan many tasks in parallel", _of("..batches.cli")),
+    "robot": ("propose, check and join descriptions of robots", _of(".robot")),
+    "loops": ("find the holes of a point cloud or a mesh", _of(".loops")),
+    "pick": ("pick up an object of a scene by whichever way works", _of("..picking.cli")),
+    "see": ("find tables and objects in depth images", _of("..perception.cli")),
+    "demonstrate": ("record the planner in MuJoCo, for learners", _of(".demonstrate")),
+    "ros": ("run graspless in ROS 2, or a demo of it", _of("..ros.cli")),
     "example": ("plan, check and draw an example", _add_example),
     "bench": ("repeat the papers' experiments (in a checkout)", _add_bench),
 }
 
 
 def _check(options: argparse.Namespace) -> int:
-    from . import _api, report
+    from .. import _api, report
 
     plan = given_plan(options.plan)
     faults, edges = _api.checked(plan, options.certify)
@@ -231,7 +231,7 @@ def _view(options: argparse.Namespace) -> int:
     check_pictures(options)
     plan = given_plan(options.plan)
     if options.png is None and options.html is None:
-        from .view import serve
+        from ..view import serve
 
         serve(plan, port=options.port)
     for path in draw(plan, options):
@@ -240,12 +240,12 @@ def _view(options: argparse.Namespace) -> int:
 
 
 def _example(options: argparse.Namespace) -> int:
-    from . import _examples
+    from . import examples
 
     if options.list:
-        print("\n".join(f"{name:24}{about}" for name, about in _examples.names().items()))
+        print("\n".join(f"{name:24}{about}" for name, about in examples.names().items()))
         return FOUND
-    found = _examples.run(options.name, None if options.output is None else Path(options.output))
+    found = examples.run(options.name, None if options.output is None else Path(options.output))
     return FOUND if found else NOT_FOUND
 
 

@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
 # name: line of help, and module with add_arguments(parser)
 COMMANDS = {
-    "inspect": ("propose arm, hand, frames and states from a URDF", "._robot_inspect"),
-    "check": ("check a robot's SRDF and hand description", "._robot_check"),
-    "join": ("join an arm and a gripper into one URDF", "._robot_join"),
+    "inspect": ("propose arm, hand, frames and states from a URDF", ".robot_inspect"),
+    "check": ("check a robot's SRDF and hand description", ".robot_check"),
+    "join": ("join an arm and a gripper into one URDF", ".robot_join"),
 }
 
 
