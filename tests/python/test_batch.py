@@ -389,6 +389,31 @@ def test_two_batches_in_one_folder(here, tasks, tmp_path):
     assert graspless.batch(folder, output).rows == first.rows
 
 
+def test_batches_that_overlap_lose_no_rows(here, tasks, tmp_path, monkeypatch):
+    folder, output = tasks("a"), tmp_path / "out"
+    late = batches._Run(names.find(folder), output, {})
+    graspless.batch(tasks("b", folder="others"), output)  # after the late one has begun
+    rewrite, refused = manifest.rewrite, pytest.raises(TaskError, match="another run")
+
+    def tried(path, rows):
+        with refused:
+            manifest.Log(path)
+        rewrite(path, rows)
+
+    monkeypatch.setattr(manifest, "rewrite", tried)
+    late.carry_out(batch_common.Here(), work.carry_out)
+    assert list(rows_of(output)) == ["b", "a"]
+    lock = manifest.fcntl.flock
+
+    def locked(*given):
+        rewrite(output / "batch.jsonl", [])  # another run ends between opening and locking
+        lock(*given)
+
+    monkeypatch.setattr(manifest.fcntl, "flock", locked)
+    with refused:
+        manifest.Log(output / "batch.jsonl")
+
+
 @pytest.mark.parametrize(
     ("flags", "message"),
     [

@@ -142,25 +142,26 @@ class _Run:
         self.manifest = output / manifest.NAME
         work.make_folder(output)
         files.check_writable(self.manifest)
-        rows = manifest.read(self.manifest)
-        self.before = {name: row for name, row in rows.items() if work.is_row(row)}
+        self.before: dict[str, Row] = {}
         self.done: dict[str, Row] = {}
         self.kept = 0
 
     def carry_out(self, pool: pools.Pool, do: Callable[[Job], Outcome]) -> Summary:
         """Has `do` carry out all tasks, and writes the outcomes."""
         start = time.monotonic()
-        try:
-            with manifest.opened(self.manifest) as log:
+        with manifest.opened(self.manifest) as log:
+            rows = manifest.read(self.manifest)
+            self.before = {name: row for name, row in rows.items() if work.is_row(row)}
+            try:
                 work.sweep(self.output)
                 for outcome in spread(do, self._jobs(pool), pool, self._lost):
                     self._take(outcome, log)
-        except KeyboardInterrupt:
-            pool.close(at_once=True)
-            work.sweep(self.output)
-        except CancelledError:
-            raise TaskError(pools.GONE.format("the scheduler has gone")) from None
-        return self._summarize(pool.workers, time.monotonic() - start)
+            except KeyboardInterrupt:
+                pool.close(at_once=True)
+                work.sweep(self.output)
+            except CancelledError:
+                raise TaskError(pools.GONE.format("the scheduler has gone")) from None
+            return self._summarize(pool.workers, time.monotonic() - start)
 
     def _jobs(self, pool: pools.Pool) -> Iterator[Job]:
         patience = self.patience if pool.one_thread_each else None

@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import json
+import os
 from typing import TYPE_CHECKING, Any
 
 from .. import files
@@ -43,11 +44,14 @@ class Log:
         self._file = path.open("ab", buffering=0)  # what is left unwritten shall not be tried again
         try:
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            is_ours = os.path.samestat(os.fstat(self._file.fileno()), path.stat())  # not replaced
         except BlockingIOError:
-            self._file.close()
-            raise TaskError(f"{path}: another run is writing it") from None
+            is_ours = False
         except OSError:  # a file system without locks
-            pass
+            is_ours = True
+        if not is_ours:
+            self._file.close()
+            raise TaskError(f"{path}: another run is writing it")
         if self._file.tell() and not path.read_bytes().endswith(b"\n"):
             self._write(b"\n")  # after a line that was cut short
 
@@ -76,7 +80,7 @@ def opened(path: Path) -> Iterator[Log]:
 
 
 def rewrite(path: Path, rows: Iterable[Row]) -> None:
-    """Rewrites all rows, atomically."""
+    """Rewrites all rows, atomically: the last act of the one who has the file opened."""
     files.write(path, "".join(map(_line, rows)))
 
 
