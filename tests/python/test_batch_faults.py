@@ -56,6 +56,13 @@ def test_row_on_a_full_disk(tmp_path):
     assert list(manifest.read(path)) == ["card_0", "card_1", "card_2"]
 
 
+def test_rows_with_any_text_are_read(tmp_path):
+    path = tmp_path / "batch.jsonl"
+    rows = [{"name": f"card_{i}", "reason": f"a{end}b"} for i, end in enumerate("\n\r\x85\u2028")]
+    manifest.rewrite(path, rows)
+    assert list(manifest.read(path).values()) == rows
+
+
 def test_manifest_that_is_a_device_is_not_read(tmp_path):
     (tmp_path / "batch.jsonl").symlink_to("/dev/full")
     assert manifest.read(tmp_path / "batch.jsonl") == {}

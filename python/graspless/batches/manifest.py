@@ -26,7 +26,7 @@ def read(path: Path, key: str = "name") -> dict[str, Row]:
     if not path.is_file():
         return {}
     rows = {}
-    for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+    for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
         with contextlib.suppress(ValueError):
             row = json.loads(line)
             if isinstance(row, dict) and isinstance(row.get(key), str):
