@@ -65,13 +65,13 @@ def _check_place(path: Path) -> None:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def _make_temporary(path: Path) -> tuple[int, Path]:
-    """Makes a new file beside `path`, readable by its owner alone; returns its handle and path.
+def _make_temporary(path: Path, mode: int = 0o600) -> tuple[int, Path]:
+    """Makes a new file beside `path`, within the umask; returns its handle and path.
 
     Without `tempfile`, whose import takes longer than the rest of writing a plan.
     """
     temporary = path.with_name(f".{path.name}.{os.urandom(4).hex()}")
-    return os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), temporary
+    return os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode), temporary
 
 
 def write(path: str | Path, content: str | bytes) -> None:
@@ -84,14 +84,13 @@ def write(path: str | Path, content: str | bytes) -> None:
             path.write_bytes(data)
             return
         path = path.resolve()  # through a link to the file, not in its place
-        handle, temporary = _make_temporary(path)
+        mode = path.stat().st_mode & 0o7777 if path.exists() else None
+        handle, temporary = _make_temporary(path, 0o666 if mode is None else 0o600)
         try:
             with os.fdopen(handle, "wb") as file:
                 file.write(data)
-            mask = os.umask(0)
-            os.umask(mask)
-            mode = path.stat().st_mode & 0o7777 if path.exists() else 0o666 & ~mask
-            temporary.chmod(mode)
+            if mode is not None:
+                temporary.chmod(mode)
             temporary.replace(path)
         except BaseException:
             temporary.unlink(missing_ok=True)

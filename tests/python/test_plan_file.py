@@ -4,6 +4,7 @@
 
 import importlib.util
 import json
+import os
 import pathlib
 import re
 import stat
@@ -321,6 +322,17 @@ def test_writes_whole_or_not_at_all(tmp_path, monkeypatch):
         files.write(path, "never")
     assert path.read_text() == "after"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_new_files_keep_to_the_umask_of_the_process(tmp_path, monkeypatch):
+    before = os.umask(0o027)
+    try:
+        monkeypatch.setattr(os, "umask", None)  # to set it would open files of other threads
+        files.write(tmp_path / "plan.json", "new")
+    finally:
+        monkeypatch.undo()
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / "plan.json").stat().st_mode) == 0o640
 
 
 def test_writes_through_links_and_into_devices(tmp_path):
