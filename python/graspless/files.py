@@ -74,6 +74,11 @@ def _make_temporary(path: Path, mode: int = 0o600) -> tuple[int, Path]:
     return os.open(temporary, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode), temporary
 
 
+def temporaries(folder: Path, name: str) -> Iterator[Path]:
+    """Yields what `_make_temporary` left below a folder for files of a name, a glob pattern."""
+    return folder.rglob(f".{name}.{'[0-9a-f]' * 8}")
+
+
 def write(path: str | Path, content: str | bytes) -> None:
     """Writes a file at once, through a temporary one beside it; raises TaskError."""
     path = as_path(path)

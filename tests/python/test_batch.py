@@ -19,7 +19,7 @@ import pytest
 
 import batch_common
 import graspless
-from graspless import TaskError, batches, robot
+from graspless import TaskError, batches, files, robot
 from graspless.batches import manifest, names, pools, work
 from graspless.batches.cli import bar
 from graspless.batches.spread import spread
@@ -229,6 +229,21 @@ def test_a_plan_that_does_not_hold_is_not_held(tasks, monkeypatch):
     assert summary.reasons == {"does not hold": {"slide row 3: collision a - b": 1}}
 
 
+def test_only_unfinished_files_of_ours_are_swept(tmp_path):
+    folder = tmp_path / "a"
+    folder.mkdir()
+    theirs = {folder / f".card.plan.json.{end}" for end in ("swp", "bak", "01234567x")}
+    left = [files._make_temporary(folder / "card.plan.json")]
+    left += [files._make_temporary(tmp_path / name) for name in ("batch.jsonl", "summary.json")]
+    for path in theirs:
+        path.write_text("mine")
+    work.sweep(tmp_path)
+    for handle, path in left:
+        os.close(handle)
+        assert not path.exists()
+    assert set(folder.iterdir()) == theirs
+
+
 def _start(folder, output, *flags):
     command = [sys.executable, "-m", "graspless", "batch", str(folder), "-o", str(output), *flags]
     return subprocess.Popen(
@@ -296,7 +311,9 @@ def test_interrupted_and_resumed(tasks, tmp_path):
     plans = [output / f"{name}.plan.json" for name in before]
     kept = {path: path.stat().st_mtime_ns for path in plans}
     left = {path.stem for path in folder.glob("*.yaml")}
-    (output / ".card_000.plan.json.abc").write_text("half a plan, of a process that was killed")
+    (output / ".card_000.plan.json.0123abcd").write_text(
+        "half a plan, of a process that was killed"
+    )
     again = _start(folder, output, "--jobs", "2", "--json")
     out, err = again.communicate(timeout=60)
     assert again.returncode == 0, err

@@ -212,8 +212,8 @@ def make_folder(path: Path) -> None:
 
 def sweep(output: Path) -> None:
     """Removes unfinished files of processes that were killed."""
-    for name in (plan_file(".*"), ".batch.jsonl", ".summary.json"):
-        for path in output.rglob(f"{name}.*"):
+    for name in (plan_file("*"), "batch.jsonl", "summary.json"):
+        for path in files.temporaries(output, name):
             path.unlink(missing_ok=True)
 
 
