@@ -18,7 +18,7 @@ class Here:
     """A pool without processes: what it is given is done at once."""
 
     workers = capacity = 1
-    is_elsewhere = one_thread_each = False
+    is_elsewhere = False
     crashes = ()
 
     def submit(self, work, given):

@@ -578,6 +578,9 @@ def test_a_clock_of_asyncio_is_told_too(monkeypatch):
     client.nthreads = late
     with pytest.raises(TaskError, match="the scheduler has gone"):
         cluster.look()
+    client.nthreads = lambda: {"tcp://a:1": 1, "tcp://b:1": 4}
+    with pytest.raises(TaskError, match=r"tcp://b:1: should have 1 thread \(--nthreads 1\), has 4"):
+        pools.Cluster("tcp://there:1")
     client.wait_for_workers = late
     with pytest.raises(TaskError, match="no worker within 10 s"):
         pools.Cluster("tcp://there:1")

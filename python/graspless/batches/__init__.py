@@ -67,8 +67,7 @@ def batch(
         Number of varied trials in which every plan is simulated, see `plan`. A plan that was made
         without them, or with another number, is made anew.
     patience : float
-        Time beyond its budget after which the process of a task is stopped [s]. It has no effect
-        on Dask workers with several threads.
+        Time beyond its budget after which the process of a task is stopped [s].
     trust : bool
         Let xacro files read any file and run code, see docs/security.md.
     progress : callable, optional
@@ -83,7 +82,8 @@ def batch(
     ------
     TaskError
         There are no tasks, jobs or prove is not a whole number of at least 1, the output cannot
-        be written, prove is given without MuJoCo, or there is no Dask scheduler or worker.
+        be written, prove is given without MuJoCo, there is no Dask scheduler or worker, or a Dask
+        worker has several threads.
     """
     changes = {"seed": seed, "seconds": seconds, "iterations": iterations}
     jobs = require_integer("jobs", jobs, least=1)
@@ -164,7 +164,6 @@ class _Run:
             return self._summarize(pool.workers, time.monotonic() - start)
 
     def _jobs(self, pool: pools.Pool) -> Iterator[Job]:
-        patience = self.patience if pool.one_thread_each else None
         for entry in self.entries:
             job = work.Job(
                 entry.name,
@@ -172,7 +171,7 @@ class _Run:
                 self.changes,
                 self._known(entry.name),
                 output=None if pool.is_elsewhere else str(self.output),
-                patience=patience,
+                patience=self.patience,
                 trust=self.trust,
                 prove=self.prove,
             )

@@ -42,9 +42,6 @@ class Pool(Protocol):
     is_elsewhere: bool
     """True if workers may be unable to read local files."""
 
-    one_thread_each: bool
-    """True if the process of a worker does one job at a time."""
-
     crashes: Crashes
     """Exceptions that a future raises after its worker has died."""
 
@@ -65,7 +62,6 @@ class Processes:
     """Worker processes on this machine, with one thread each; even a single job gets a process."""
 
     is_elsewhere = False
-    one_thread_each = True
 
     def __init__(self, jobs: int) -> None:
         try:
@@ -136,9 +132,11 @@ class Cluster:
         except (TimeoutError, asyncio.TimeoutError):  # two, until Python 3.11
             raise TaskError(f"dask: {address}: no worker within {seconds:g} s") from None
         threads = self._client.nthreads()
-        self.workers = sum(threads.values())
+        for worker, count in threads.items():
+            if count != 1:  # warnings and patience are of the whole process
+                raise TaskError(f"dask: {worker}: should have 1 thread (--nthreads 1), has {count}")
+        self.workers = len(threads)
         self.capacity = 2 * self.workers
-        self.one_thread_each = all(count == 1 for count in threads.values())
         for worker, found in self._client.run(_version, on_error="return").items():
             if found != (ours := _version()):
                 has = f"graspless {found}" if isinstance(found, str) else f"none: {found}"
