@@ -44,9 +44,3 @@ def quantile(seconds: Sequence[float], fraction: float) -> float:
         return math.inf
     ordered = sorted(seconds)
     return ordered[max(0, math.ceil(fraction * len(ordered)) - 1)]
-
-
-def success_curve(seconds: Sequence[float]) -> list[tuple[float, int]]:
-    """Returns steps (time [s], number of runs solved within it)."""
-    solved = sorted(t for t in seconds if math.isfinite(t))
-    return [(t, i) for i, t in enumerate(solved, 1)]

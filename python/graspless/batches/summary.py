@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from ..report import duration
+
 Row = dict[str, Any]
 QUANTILES = {"p50": 0.5, "p90": 0.9, "p99": 0.99, "max": 1.0}
 MOST_REASONS = 5  # of each status that are printed
@@ -117,7 +119,7 @@ class Summary:
             f"  {'held by check':16}{self.held:6}",
         ]
         if times := self.planning_seconds:
-            shown = ", ".join(f"{name} {_duration(value)}" for name, value in times.items())
+            shown = ", ".join(f"{name} {duration(value)}" for name, value in times.items())
             lines.append(f"  planning         {shown}")
         for status, reasons in self.reasons.items():
             lines.append(f"  {status:16}{sum(reasons.values()):6}")
@@ -136,7 +138,3 @@ def _lines(reasons: dict[str, int]) -> list[str]:
 def _shortened(reason: str) -> str:
     first, _, rest = reason.partition("\n")
     return first[:LONGEST] + (" ..." if rest or len(first) > LONGEST else "")
-
-
-def _duration(seconds: float) -> str:
-    return f"{seconds * 1000:.1f} ms" if seconds < 1 else f"{seconds:.2f} s"

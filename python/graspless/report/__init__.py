@@ -68,7 +68,7 @@ def as_text(plan: Plan) -> str:
         Status, segments, measures of quality, and the counters of the search.
     """
     stats = plan.statistics.as_dict()
-    lines = [f"{plan.status} in {_duration(stats.get('seconds', 0))}, seed {plan.seed}"]
+    lines = [f"{plan.status} in {duration(stats.get('seconds', 0))}, seed {plan.seed}"]
     if plan:
         lines += [f"  {line}" for line in _kind(plan).lines(plan)]
         lines += [f"  {proof}" for proof in [proofs.verdict(plan)] if proof]
@@ -112,6 +112,11 @@ def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None)
 def count(number: float, things: str) -> str:
     """Returns a number with its noun in singular or plural: "3 rows", "1 row"."""
     return f"{number} {things.removesuffix('s') if number == 1 else things}"
+
+
+def duration(seconds: float) -> str:
+    """Returns a time [s] as text, in milliseconds below a second."""
+    return f"{seconds * 1000:.1f} ms" if seconds < 1 else f"{seconds:.2f} s"
 
 
 def the(name: str) -> str:
@@ -185,9 +190,5 @@ def _counter(name: str, value: float) -> str:
     if name == "memory":
         return f"{value / 1e6:.1f} MB of memory"
     if name.endswith("_seconds"):
-        return f"{_duration(value)} for {name.removesuffix('_seconds')}"
+        return f"{duration(value)} for {name.removesuffix('_seconds')}"
     return count(value, name.replace("_", " "))
-
-
-def _duration(seconds: float) -> str:
-    return f"{seconds * 1000:.1f} ms" if seconds < 1 else f"{seconds:.2f} s"
