@@ -121,10 +121,10 @@ def missing(error: ImportError, extra: str, purpose: str = "") -> TaskError:
 
 
 def install_command(extra: str) -> str:
-    """Returns the command that installs an extra: into the .venv of a checkout, if that runs."""
+    """Returns the command that installs an extra: that of a checkout, if its .venv runs."""
     checkout = Path(sys.prefix).parent
     if Path(sys.prefix).name == ".venv" and (checkout / "python" / "graspless").is_dir():
-        return f".venv/bin/pip install '.[{extra}]'"
+        return f"tools/install {extra}"
     packages = dict.fromkeys(_packages(extra))
     return f"pip install {' '.join(repr(package) for package in packages)}"
 

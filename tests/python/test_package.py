@@ -65,6 +65,12 @@ def test_packages_of_an_extra_are_named_outside_a_checkout(monkeypatch, tmp_path
     assert "graspless" not in command  # it is not on PyPI
 
 
+def test_a_checkout_installs_an_extra_by_its_tool(monkeypatch, tmp_path):
+    (tmp_path / "python" / "graspless").mkdir(parents=True)
+    monkeypatch.setattr(sys, "prefix", str(tmp_path / ".venv"))
+    assert install_command("rerun") == "tools/install rerun"
+
+
 def test_version_is_that_of_the_metadata():
     assert graspless.__version__ == importlib.metadata.version("graspless")
 
