@@ -190,7 +190,7 @@ def test_limits_reach_the_file(tmp_path):
             "mujco",
             r"to: mujco: no such format; did you mean 'mujoco'\? \(one of: ros, mcap",
         ),
-        ("push", "ros", "no joints"),
+        ("push", "ros", "no joints, .* fingertips: mcap, csv, mujoco, json, drake, rrd"),
     ],
 )
 def test_what_cannot_be_exported_is_told(tmp_path, name, to, words):

@@ -10,6 +10,7 @@ import yaml
 
 from .. import files
 from ..errors import TaskError
+from . import FORMATS
 from .numbers import plain
 
 if TYPE_CHECKING:
@@ -35,9 +36,10 @@ def text(trajectory: Trajectory) -> str:
 def message(trajectory: Trajectory) -> dict[str, Any]:
     """Returns the message in plain types. Raises TaskError if no joints move."""
     if not trajectory.joint_names:
+        others = ", ".join(name for name in FORMATS if name != "ros")
         raise TaskError(
             "to: ros: the plan moves no joints, its fingertips have no arm "
-            "(mcap, csv, json and mujoco hold fingertips)"
+            f"(one of these holds fingertips: {others})"
         )
     return {
         "header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""},
