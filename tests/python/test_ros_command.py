@@ -30,6 +30,13 @@ def test_says_how_to_get_ros(what):
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("what", ["node", "fake-robot", "demo"])
+def test_help_needs_no_ros(what):
+    done = run("ros", what, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("usage: graspless ros ")
+
+
 def test_is_listed():
     assert re.search(r"^ +ros +run graspless in ROS 2", run("--help").stdout, re.MULTILINE)
     assert run("ros", "juggle").returncode == 2

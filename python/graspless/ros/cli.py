@@ -27,12 +27,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="--ros-args ...",
         help="arguments of ROS, such as --ros-args --params-file FILE",
     )
-    parser.set_defaults(run=_run)
+    parser.set_defaults(run=_run, print_help=parser.print_help)
 
 
 def _run(options: argparse.Namespace) -> int:
     if options.what is None:
         raise TaskError(f"ros: needs the name of what to run (one of: {', '.join(WHAT)})")
+    if {"-h", "--help"} & set(options.arguments):
+        options.print_help()
+        return FOUND
     require_ros()
     if options.what == "demo":
         from .demo import demo
