@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `plan`."""
     parser.description = (
         "Plan a task, check the plan and write it. A plan file is written in any case;\n"
-        "if no plan was found, it says why, and a solved plan of that name gets a ~ behind it."
+        "if no plan was found, it says why, and an existing solved plan is kept as NAME~."
     )
     parser.epilog = (
         f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"

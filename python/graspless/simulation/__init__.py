@@ -66,7 +66,7 @@ def simulate(
     plan : Plan, str or Path
         Solved plan, or the path of its file. It is not checked first; `check` does that.
     trials : int
-        Number of trials. The first is nominal. The others vary friction, mass, the position of
+        Number of trials. The first is nominal. The others vary friction, mass, the pose of
         the object and the time step. For fingertip plans they vary friction by 10 %, the positions
         of the fingers (with an arm: of the object) by 0.1 mm, and the time step. For slides they
         also vary thickness and centre of mass of the object, the height of the support, and the
