@@ -100,6 +100,11 @@ def test_axes_do_not_depend_on_where_the_hand_is_mounted():
     np.testing.assert_allclose(X_PH_aside, X_PH, atol=1e-6)
 
 
+def test_rounding_errors_of_a_home_are_shown_as_0():
+    shown = finding(robot.inspect(read(small.gripper())), "state home").value.split(", ")
+    assert (shown[0], shown[3]) == ("0", "0")
+
+
 def test_a_joint_without_a_range_leaves_a_home():
     urdf = small.gripper().replace(
         '<child link="link_0"/><axis xyz="0 0 1"/><limit lower="-2.9" upper="2.9"',

@@ -288,7 +288,7 @@ class _Builder:
             self.find("state home", "none", "no free configuration was found", False)
             return []
         values = {name: float(home.q[self.robot.joint(name)]) for name in self.arm.joints}
-        shown = ", ".join(f"{value:.3g}" for value in values.values())
+        shown = ", ".join(f"{round(value, 9) + 0.0:.3g}" for value in values.values())  # no -0
         self.find("state home", shown, home.reason, home.is_sure)
         return [("home", self.groups["arm"], values)]
 
