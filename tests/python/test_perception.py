@@ -8,17 +8,13 @@ import pytest
 import graspless
 from graspless import frames, geometry, perception
 from graspless.errors import TaskError
-
-
-def box(size, position):
-    return perception.Body([geometry.PlacedShape(geometry.Box(size))], frames.translation(position))
-
+from pick_common import body
 
 BODIES = [
-    box([0.7, 0.6, 0.04], [0, 0, 0.38]),
-    box([6, 6, 0.02], [0, 0, -0.01]),
-    box([0.12, 0.08, 0.01], [-0.1, 0.1, 0.405]),
-    box([0.06, 0.08, 0.1], [0.1, -0.1, 0.45]),
+    body([0.7, 0.6, 0.04], 0, 0, 0.38),
+    body([6, 6, 0.02], 0, 0, -0.01),
+    body([0.12, 0.08, 0.01], -0.1, 0.1, 0.405),
+    body([0.06, 0.08, 0.1], 0.1, -0.1, 0.45),
 ]
 X_WC = perception.look_at([-0.7, 0, 1.05], [0, 0, 0.4])
 FRAME = perception.render(BODIES, X_WC)
@@ -40,7 +36,7 @@ def test_a_rendered_scene_is_found(scene):
 
 
 def test_the_faults_of_a_camera_do_not_break_straight_edges_into_many():
-    bodies = [box([0.7, 0.7, 0.04], [0.65, 0, -0.02]), box([6, 6, 0.02], [0.65, 0, -0.75])]
+    bodies = [body([0.7, 0.7, 0.04], 0.65, 0, -0.02), body([6, 6, 0.02], 0.65, 0, -0.75)]
     X_eye = perception.look_at([-0.05, 0, 0.75], [0.65, 0, 0])
     edges = 0
     for seed in range(6):

@@ -5,16 +5,12 @@
 import numpy as np
 import pytest
 
-from graspless import frames, geometry, perception
+from graspless import perception
 from graspless.perception import Noise
+from pick_common import body
 
-
-def box(size, position):
-    return perception.Body([geometry.PlacedShape(geometry.Box(size))], frames.translation(position))
-
-
-TABLE = box([4, 4, 0.1], [0, 0, -0.05])
-SCENE = [TABLE, box([0.3, 0.2, 0.2], [0, 0, 0.1])]
+TABLE = body([4, 4, 0.1], 0, 0, -0.05)
+SCENE = [TABLE, body([0.3, 0.2, 0.2], 0, 0, 0.1)]
 X_WC = perception.look_at([-0.6, 0, 0.7], [0, 0, 0])
 
 

@@ -8,16 +8,12 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames, geometry, perception
-
-
-def box(size, position):
-    return perception.Body([geometry.PlacedShape(geometry.Box(size))], frames.translation(position))
-
+from graspless import geometry, perception
+from pick_common import body
 
 BODIES = [
-    box([0.7, 0.6, 0.04], [0, 0, 0.38]),
-    box([0.12, 0.08, 0.02], [-0.1, 0.1, 0.41]),
+    body([0.7, 0.6, 0.04], 0, 0, 0.38),
+    body([0.12, 0.08, 0.02], -0.1, 0.1, 0.41),
 ]
 X_WC = perception.look_at([-0.7, 0, 1.05], [0, 0, 0.4])
 FRAME = perception.render(BODIES, X_WC, noise=perception.Noise(constant=5e-4, quadratic=0))

@@ -8,22 +8,18 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import frames, geometry, perception, slide
+from graspless import perception, slide
 from graspless.cli import main
 from graspless.errors import TaskError
-
-
-def box(size, position):
-    return perception.Body([geometry.PlacedShape(geometry.Box(size))], frames.translation(position))
-
+from pick_common import body
 
 # The far edge, at x = 1 m, stands against a wall: nothing can be slid over it.
 BODIES = [
-    box([0.7, 0.7, 0.04], [0.65, 0, -0.02]),
-    box([6, 6, 0.02], [0.65, 0, -0.75]),
-    box([0.02, 0.9, 1.3], [1.01, 0, 0]),
-    box([0.12, 0.08, 0.006], [0.62, 0.08, 0.003]),
-    box([0.06, 0.06, 0.12], [0.8, -0.2, 0.06]),
+    body([0.7, 0.7, 0.04], 0.65, 0, -0.02),
+    body([6, 6, 0.02], 0.65, 0, -0.75),
+    body([0.02, 0.9, 1.3], 1.01, 0, 0),
+    body([0.12, 0.08, 0.006], 0.62, 0.08, 0.003),
+    body([0.06, 0.06, 0.12], 0.8, -0.2, 0.06),
 ]
 TASK = """
 kind: slide
