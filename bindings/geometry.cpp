@@ -97,9 +97,8 @@ void bind_shapes(py::module_& m) {
            [](const Convex& shape) { return count("Convex", shape.vertices.cols(), "points"); });
 
   py::class_<Mesh>(m, "Mesh",
-                   "A triangle surface. Only the surface collides, so a body wholly inside does "
-                   "not touch it.\n\n"
-                   "A closed convex mesh is the exception: it collides as a solid.")
+                   "A triangle surface. One that is closed bounds a solid: what is wholly inside "
+                   "touches it. Of any other, only the surface collides.")
       .def(py::init([](const Array& vertices, const Array& triangles) {
              return validated(Mesh{to_points3(vertices, "mesh vertices"),
                                    to_triangles(triangles, "mesh triangles")},
@@ -353,7 +352,8 @@ void bind_complex(py::module_& m) {
       .def_property_readonly("num_vertices", &Filtration::num_vertices,
                              "Number of distinct points.")
       .def("complex", &Filtration::complex, py::arg("max_edge_length"),
-           "Returns K_d for d = max_edge_length [m].")
+           "Returns K_d for d = max_edge_length [m].\n\nRaises ValueError unless it is "
+           "positive.")
       .def(
           "persistence",
           [](const Filtration& self) {
@@ -370,7 +370,8 @@ void bind_complex(py::module_& m) {
            "Number of independent loops for every d (first Betti number).")
       .def("plateaus", &Filtration::plateaus, py::arg("lasting_ratio") = kLastingRatio,
            "Plateaus of the Betti curve with at least one lasting loop, largest ratio first.\n\n"
-           "lasting_ratio: smallest ratio death / birth of a lasting loop; 1 counts every loop.")
+           "lasting_ratio: smallest ratio death / birth of a lasting loop; 1 counts every loop.\n\n"
+           "Raises ValueError if it is less than 1.")
       .def(
           "span",
           [](const Filtration& self, const std::vector<int>& cycle, double max_edge_length) {
@@ -395,7 +396,7 @@ Returns
 Raises
 ------
 ValueError
-    If a step of the walk is not an edge of K_d.
+    If a step of the walk is not an edge of K_d, or if it has fewer than 3.
 )")
       .def("__repr__", [](const Filtration& self) {
         return "<Filtration of " + std::to_string(self.num_vertices()) + " points>";

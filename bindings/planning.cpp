@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <optional>
+#include <thread>
 
 #include <pybind11/stl.h>
 
@@ -65,6 +67,14 @@ void check_signals() {
   throw Stop{};
 }
 
+/// Sleeps for a moment, during which other threads of Python run: one of them may be what this
+/// thread waits for.
+void sleep_without_gil() {
+  std::optional<py::gil_scoped_release> release;
+  if (PyGILState_GetThisThreadState() != nullptr && PyGILState_Check() != 0) release.emplace();
+  std::this_thread::sleep_for(std::chrono::microseconds(100));
+}
+
 /// Translates Stop into what ended the work.
 void translate(std::exception_ptr thrown) {
   try {
@@ -79,6 +89,7 @@ void bind_polling(py::module_& m) {
   out_of_time() = py::exception<Stop>(m, "OutOfTime", PyExc_BaseException);
   m.attr("OutOfTime").attr("__doc__") = "Raised where a deadline ends work outside planners.";
   set_default_check(check_signals);
+  set_sleep(sleep_without_gil);
   py::register_exception_translator(translate);
   m.def(
       "set_deadline",

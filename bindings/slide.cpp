@@ -16,7 +16,6 @@ namespace graspless::bindings {
 namespace {
 
 using namespace slide;
-using geometry::PlacedShape;
 using geometry::Polygon;
 
 using Outline = py::typing::Union<Polygon, Array>;

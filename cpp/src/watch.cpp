@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <ctime>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -24,6 +25,13 @@ thread_local double announced = 0;  // [bytes]
 std::function<void()>& default_check() {
   static std::function<void()> check;
   return check;
+}
+
+std::function<void()>& sleep() {
+  static std::function<void()> sleep = [] {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  };
+  return sleep;
 }
 
 /// Some milliseconds coarse where the system offers that: a fifth of the cost of the fine clock.
@@ -62,6 +70,13 @@ void announce_memory(double bytes) {
   next_check = 0;
   poll();
 }
+
+void wait_briefly() {
+  sleep()();
+  poll();
+}
+
+void set_sleep(std::function<void()> other) { sleep() = std::move(other); }
 
 double announced_memory() { return announced; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/watch.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <random>
 #include <thread>
@@ -15,6 +16,8 @@
 #include "graspless/geometry/complex.hpp"
 #include "graspless/geometry/point_cloud.hpp"
 #include "graspless/slide/problem.hpp"
+
+#include "once.hpp"
 
 namespace graspless {
 namespace {
@@ -76,6 +79,36 @@ TEST(Watch, BelongsToItsThread) {
     const Watch own([&] { ++calls; });
     while (calls < 2) poll();
   }).join();
+}
+
+TEST(Once, WorkThatIsEndedIsDoneAnew) {
+  Once once;
+  int done = 0;
+  EXPECT_TRUE(can_be_ended([&] {
+    once([] {
+      for (;;) poll();
+    });
+  }));
+  for (int i = 0; i < 3; ++i) once([&] { ++done; });
+  EXPECT_EQ(done, 1);
+}
+
+TEST(Once, WhoWaitsCanBeEnded) {
+  Once once;
+  std::atomic<bool> has_begun{false}, may_end{false};
+  std::thread other([&] {
+    once([&] {
+      has_begun = true;
+      while (!may_end) std::this_thread::yield();
+    });
+  });
+  while (!has_begun) std::this_thread::yield();
+  int done = 0;
+  EXPECT_TRUE(can_be_ended([&] { once([&] { ++done; }); }));
+  may_end = true;
+  once([&] { ++done; });  // waits
+  EXPECT_EQ(done, 0);
+  other.join();
 }
 
 TEST(Watch, EndsPolygonsOfManyCorners) {

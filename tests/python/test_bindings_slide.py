@@ -3,6 +3,8 @@
 """Structs from keywords, plans rebuilt in Python, queries that other threads and Ctrl-C reach."""
 
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -177,3 +179,46 @@ def test_ctrl_c_raises_keyboard_interrupt(card_problem):
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, signal.SIG_DFL)
     assert time.perf_counter() - start < 0.2 + 0.3
+
+
+TWO_THREADS = """
+import threading, time
+import numpy as np
+import graspless
+from graspless import _data, collision, geometry, slide
+
+around, across = np.meshgrid(*(np.arange(n) * 2 * np.pi / n for n in (400, 250)), indexing="ij")
+radius = 2 + 0.8 * np.cos(across)
+ring = radius * np.cos(around), radius * np.sin(around), 0.8 * np.sin(across)
+i = np.arange(around.size).reshape(around.shape)
+j, k, diagonal = np.roll(i, -1, 0), np.roll(i, -1, 1), np.roll(np.roll(i, -1, 0), -1, 1)
+triangles = np.stack([i, j, diagonal, i, diagonal, k], -1).reshape(-1, 3)
+mesh = geometry.Mesh(np.stack(ring, -1).reshape(-1, 3), triangles)
+task = graspless.load_task(_data.directory("examples") / "01_slide_card.yaml")
+given = task.problem
+obstacles = [slide.Obstacle("ring", [geometry.PlacedShape(mesh)])]
+problem = slide.Problem(given.robot, given.hand, given.object, given.support, given.X_WO_start,
+                        given.q_home, obstacles)
+plan = slide.plan(given, task.options)
+world = collision.World()
+world.add_body("ring", [geometry.PlacedShape(mesh)])
+world.add_body("ball", [geometry.PlacedShape(geometry.Sphere(0.05))])
+X = np.eye(4)
+X[0, 3] = 2.8
+world.set_pose("ball", X)
+world.add_pair("ring", "ball")
+thread = threading.Thread(target=lambda: slide.check(problem, plan, task.options))
+thread.start()
+time.sleep(WAIT)
+print(world.collides())
+thread.join()
+"""
+
+
+@pytest.mark.parametrize("wait", [0.02, 0.1])
+def test_two_threads_may_need_the_same_mesh(wait):
+    """One prepares it, and looks for Ctrl-C meanwhile; the other waits for it with the GIL."""
+    program = TWO_THREADS.replace("WAIT", str(wait))
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, timeout=120, capture_output=True, text=True, check=True)
+    assert done.stdout == "True\n"

@@ -40,6 +40,12 @@ GRASPLESS_API void announce_memory(double bytes);
 /// Memory that is about to be taken [bytes]; 0 outside the checks that announce_memory() calls.
 GRASPLESS_API double announced_memory();
 
+/// Sleeps for a moment, then calls poll(): for loops that wait for another thread.
+GRASPLESS_API void wait_briefly();
+/// Makes wait_briefly() call `sleep`, for instance to give up a lock that the other thread needs.
+/// Must be called before other threads wait.
+GRASPLESS_API void set_sleep(std::function<void()> sleep);
+
 /// Makes poll() call `check` on threads without a Watch. Must be called before other threads poll.
 GRASPLESS_API void set_default_check(std::function<void()> check);
 

@@ -9,6 +9,8 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/robot/ik.hpp"
 
+#include "text.hpp"
+
 namespace graspless::carry {
 namespace {
 
@@ -35,8 +37,7 @@ void check_rest(const Problem& problem, const Rest& rest, const std::string& fie
   }
   const double length = rest.normal_W.norm();
   if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
-    throw std::invalid_argument(field + ": normal_W must have unit length, not " +
-                                std::to_string(length));
+    throw std::invalid_argument(field + ": normal_W must have unit length, not " + figure(length));
 }
 
 void check_rests(const Problem& problem) {

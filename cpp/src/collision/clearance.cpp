@@ -8,6 +8,7 @@
 
 #include "collision/clearance_cells.hpp"
 #include "collision/clearance_tree.hpp"
+#include "text.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -18,8 +19,8 @@ void require_finite(const Eigen::Vector3d& point) {
 
 double checked(double cell) {
   if (cell > 0 && cell <= geometry::kMaxLength) return cell;
-  throw std::invalid_argument("cell must be in (0, " + std::to_string(geometry::kMaxLength) +
-                              "] m, not " + std::to_string(cell));
+  throw std::invalid_argument("cell must be in (0, " + figure(geometry::kMaxLength) + "] m, not " +
+                              figure(cell));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ ClearanceTree::ClearanceTree(std::vector<SurfaceTriangle> triangles)
     : triangles_(std::move(triangles)) {}
 
 const ClearanceTree::Node& ClearanceTree::root() const {
-  std::call_once(built_, [this] {
+  built_([this] {
     nodes_.clear();  // of a call that was stopped
     std::vector<int> all(triangles_.size());
     std::iota(all.begin(), all.end(), 0);

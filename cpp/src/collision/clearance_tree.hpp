@@ -6,12 +6,12 @@
 
 #include <array>
 #include <limits>
-#include <mutex>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "collision/clearance_triangles.hpp"
+#include "once.hpp"
 
 namespace graspless::collision {
 
@@ -55,7 +55,7 @@ class ClearanceTree {
   }
 
   std::vector<SurfaceTriangle> triangles_;
-  mutable std::once_flag built_;
+  mutable Once built_;
   mutable std::vector<Node> nodes_;  // the root first
 };
 

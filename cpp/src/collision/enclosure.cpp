@@ -28,7 +28,7 @@ Eigen::Matrix3d to_ray() {
 }  // namespace
 
 bool Enclosure::contains(const Eigen::Vector3d& p) const {
-  std::call_once(once_, [this] { prepare(); });
+  once_([this] { prepare(); });
   if (mesh_.triangles.cols() == 0) return false;
   const Eigen::Vector3d turned = to_ray() * p;
   const Eigen::Vector2i at = cell(turned.head<2>());
@@ -41,7 +41,7 @@ bool Enclosure::contains(const Eigen::Vector3d& p) const {
 }
 
 const Eigen::Matrix3Xd& Enclosure::vertex_of_each_part() const {
-  std::call_once(once_, [this] { prepare(); });
+  once_([this] { prepare(); });
   return parts_;
 }
 
@@ -52,8 +52,9 @@ void Enclosure::prepare() const {
     mesh_ = {};
     return;
   }
-  mesh_.vertices = (to_ray() * mesh_.vertices).eval();
-  fill_grid();
+  Eigen::Matrix3Xd turned = to_ray() * mesh_.vertices;
+  fill_grid(turned.topRows<2>());
+  mesh_.vertices = std::move(turned);  // last: a preparation that was stopped begins anew
 }
 
 /// Gives vertices at the same place the same index.
@@ -92,8 +93,8 @@ bool Enclosure::is_closed() const {
   return !edges.empty();
 }
 
-void Enclosure::fill_grid() const {
-  const Eigen::Matrix2Xd flat = mesh_.vertices.topRows<2>();
+/// `flat`: the vertices in the plane across the ray.
+void Enclosure::fill_grid(const Eigen::Matrix2Xd& flat) const {
   corner_ = flat.rowwise().minCoeff();
   constexpr double kTiny = 1e-9;
   const Eigen::Vector2d size = (flat.rowwise().maxCoeff() - corner_).cwiseMax(kTiny);

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "graspless/geometry/shape.hpp"
+
+#include "once.hpp"
 
 namespace graspless::collision {
 
@@ -30,12 +31,12 @@ class Enclosure {
   void weld() const;
   void find_parts() const;
   bool is_closed() const;
-  void fill_grid() const;
+  void fill_grid(const Eigen::Matrix2Xd& flat) const;
   Eigen::Vector2i cell(const Eigen::Vector2d& p) const;
   bool covers(Eigen::Index triangle, const Eigen::Vector2d& p) const;
   bool lies_below(Eigen::Index triangle, const Eigen::Vector3d& p) const;
 
-  mutable std::once_flag once_;
+  mutable Once once_;
   mutable Eigen::Matrix3Xd parts_;
   mutable geometry::Mesh mesh_;  // turned so that the ray points along z; empty unless closed
   mutable Eigen::Vector2d corner_, scale_;  // of the grid: its lower corner [m] and cells per metre

@@ -171,7 +171,7 @@ CollisionShape make(const geometry::Mesh& mesh) { return prepared(mesh, make_mes
 }  // namespace
 
 const fcl::CollisionGeometryd* FclGeometry::get() const {
-  std::call_once(once_, [this] {
+  once_([this] {
     made_ = make_();
     make_ = nullptr;  // frees what it was made from
   });

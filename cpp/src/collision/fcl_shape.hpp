@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -17,6 +16,7 @@
 #include "collision/bounds.hpp"
 #include "collision/enclosure.hpp"
 #include "collision/hulls.hpp"
+#include "once.hpp"
 
 namespace fcl {
 template <typename S>
@@ -34,7 +34,7 @@ class FclGeometry {
   const fcl::CollisionGeometry<double>* get() const;
 
  private:
-  mutable std::once_flag once_;
+  mutable Once once_;
   mutable std::function<Made()> make_;
   mutable Made made_;
 };

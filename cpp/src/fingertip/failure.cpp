@@ -18,6 +18,7 @@
 #include "fingertip/planner.hpp"
 #include "fingertip/search/heuristic.hpp"
 #include "planning/plan_within.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -119,7 +120,7 @@ void blame_incomplete_search(const PoseGraph& graph, const Route& route, plannin
   plan.status = Status::out_of_time;
   plan.reason = graph.is_path() || !clock.spend()
                     ? "the budget was spent before a plan was found; none is cheaper than " +
-                          std::to_string(route.lower_bound)
+                          figure(route.lower_bound)
                     : "no plan with at most " + std::to_string(graph.options.max_regrasps) +
                           " regrasps was found; none is excluded";
 }
@@ -174,7 +175,7 @@ void explain_failure(const PoseGraph& graph, const Route& route, planning::Clock
                                     "placements keeps the object stable by min_stability = "
                                   : "no route through the lattice keeps the object stable by "
                                     "min_stability = ") +
-      std::to_string(graph.options.min_stability) + " N all the way";
+      figure(graph.options.min_stability) + " N all the way";
   if (!graph.locations.start().empty()) plan.reason += ", from fingers.start on";
   const std::string fault = fault_of_start(graph);
   if (!fault.empty()) {

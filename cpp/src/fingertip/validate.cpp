@@ -11,6 +11,7 @@
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/locations.hpp"
 #include "fingertip/planner.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -33,7 +34,7 @@ void check_friction(const std::string& field, const FrictionInterval& friction) 
   require_within(field + ".lower", friction.lower, Range::closed(0, mechanics::kMaxFriction), "");
   require_within(field + ".upper", friction.upper, Range::closed(0, mechanics::kMaxFriction), "");
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
-          "must not exceed " + field + ".upper = " + std::to_string(friction.upper));
+          "must not exceed " + field + ".upper = " + figure(friction.upper));
 }
 
 void check_fingers(const Fingers& fingers) {

@@ -16,6 +16,7 @@
 #include "fingertip/model/instants.hpp"
 #include "fingertip/model/screw.hpp"
 #include "fingertip/planner.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -47,7 +48,7 @@ void check_state(const Problem& problem, const mechanics::BodyState& state,
   if (gap < kContactTolerance * problem.object.size()) {
     refuse(where, "the object lifts off every plane");
   }
-  refuse(where, "the object floats: it is " + std::to_string(gap) + " m off the nearest plane");
+  refuse(where, "the object floats: it is " + figure(gap) + " m off the nearest plane");
 }
 
 void check_standing(const Problem& problem, Clearance& clearance, const Eigen::Isometry3d& X_WO,
@@ -93,8 +94,7 @@ void check_axis(const std::string& name, double lower, double upper, int count, 
     refuse(field, "counts must be 1 to 100000, not " + std::to_string(count));
   }
   if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) {
-    refuse(field,
-           "lower " + std::to_string(lower) + " must not exceed upper " + std::to_string(upper));
+    refuse(field, "lower " + figure(lower) + " must not exceed upper " + figure(upper));
   }
   if ((count == 1) != (lower == upper)) {
     refuse(field, "one value needs lower = upper, more need lower < upper");
@@ -106,16 +106,15 @@ void check_axis(const std::string& name, double lower, double upper, int count, 
            index < count - 0.5;
   };
   if (!is_on(0)) {
-    refuse(field, "the start (0) must be one of its values: lower " + std::to_string(lower) +
-                      ", step " + std::to_string(step));
+    refuse(field, "the start (0) must be one of its values: lower " + figure(lower) + ", step " +
+                      figure(step));
   }
   for (int turns = -2; turns <= 2; ++turns) {
     if (is_on(goal + turns * period)) return;
     if (period == 0) break;
   }
-  refuse(field, "the goal (" + std::to_string(goal) + ") must be one of its values: lower " +
-                    std::to_string(lower) + ", upper " + std::to_string(upper) + ", step " +
-                    std::to_string(step));
+  refuse(field, "the goal (" + figure(goal) + ") must be one of its values: lower " +
+                    figure(lower) + ", upper " + figure(upper) + ", step " + figure(step));
 }
 
 void check_lattice(const Problem& problem, Clearance& clearance, const Lattice& lattice) {
@@ -156,7 +155,7 @@ void check_goal(const Problem& problem, Clearance& clearance, const Goal& goal) 
   check_standing(problem, clearance, goal.X_WO_goal, "motion.X_WO_goal");
   const auto require_step = [](const std::string& field, double value) {
     if (value > 0 && std::isfinite(value)) return;
-    refuse("motion." + field, "must be positive and finite, not " + std::to_string(value));
+    refuse("motion." + field, "must be positive and finite, not " + figure(value));
   };
   require_step("slide_step", goal.slide_step);
   require_step("turn_step", goal.turn_step);

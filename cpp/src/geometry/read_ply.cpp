@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -263,7 +264,10 @@ class PlyBodyReader {
     const auto number = to_number(word);
     if (!number) refuse(item() + ": '" + shortened(word) + "' is not a number");
     const bool is_float = type.kind == PlyKind::real && type.bytes == 4;
-    return is_float ? static_cast<float>(*number) : *number;
+    if (!is_float) return *number;
+    if (std::isfinite(*number) && std::abs(*number) > std::numeric_limits<float>::max())
+      refuse(item() + ": '" + shortened(word) + "' is too large for a float");
+    return static_cast<float>(*number);
   }
 
   std::vector<std::size_t> indices(const std::vector<double>& numbers) const {

@@ -14,6 +14,7 @@
 #include "scene/edges.hpp"
 #include "scene/rows.hpp"
 #include "slide/check/replay.hpp"
+#include "text.hpp"
 
 namespace graspless::pinch {
 namespace {

@@ -10,9 +10,6 @@
 
 namespace graspless::pinch {
 
-/// A number in a fault.
-std::string figure(double value);
-
 /// Force of each finger at the end of a plan [N]: options.grip_force, or that of half the effort
 /// limits of the hand's joints, by the Jacobians of both contacts. Nothing if a joint has no limit.
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,

@@ -6,6 +6,7 @@
 
 #include "pinch/check_contacts.hpp"
 #include "pinch/face_measure.hpp"
+#include "text.hpp"
 
 namespace graspless::pinch {
 

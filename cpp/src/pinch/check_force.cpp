@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "pinch/check_contacts.hpp"
+#include "text.hpp"
 
 namespace graspless::pinch {
 
@@ -59,12 +60,6 @@ double pad_on_prism(const Problem& problem, const Plan& plan, const Options& opt
 }
 
 }  // namespace
-
-std::string figure(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,
                                    const Options& options) {

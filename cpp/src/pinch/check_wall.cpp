@@ -8,6 +8,7 @@
 
 #include "pinch/check_contacts.hpp"
 #include "pinch/wall_measure.hpp"
+#include "text.hpp"
 
 namespace graspless::pinch {
 

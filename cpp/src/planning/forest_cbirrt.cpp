@@ -190,7 +190,6 @@ bool ForestCBiRRT::is_motion_valid(const State* start, const State* from, const 
 }
 
 bool ForestCBiRRT::solves(const Meeting& meeting) {
-  ++num_connections_;
   const int start = start_forest_->root(meeting.start_node);
   const int goal = goal_forest_->root(meeting.goal_node);                                    // 12
   if (!connect_first_) return is_pair_valid(start, goal) && accept(start, goal, {meeting});  // 13

@@ -11,6 +11,7 @@
 
 #include "planning/forest.hpp"
 #include "planning/root_components.hpp"
+#include "text.hpp"
 
 namespace graspless::planning {
 
@@ -33,14 +34,14 @@ void ForestCBiRRT::set_start_region(std::shared_ptr<const ob::GoalSampleableRegi
 
 void ForestCBiRRT::set_root_scale(double root_scale) {
   if (!(root_scale > 0)) {
-    throw std::invalid_argument("root_scale must be positive, not " + std::to_string(root_scale));
+    throw std::invalid_argument("root_scale must be positive, not " + figure(root_scale));
   }
   root_scale_ = root_scale;
 }
 
 void ForestCBiRRT::set_range(double range) {
   if (!(range >= 0))
-    throw std::invalid_argument("range must not be negative, not " + std::to_string(range));
+    throw std::invalid_argument("range must not be negative, not " + figure(range));
   range_ = range;
 }
 
@@ -61,7 +62,7 @@ void ForestCBiRRT::clear() {
   goal_forest_.reset();
   components_.reset();
   refused_.clear();
-  num_pairs_ = num_connections_ = 0;
+  num_pairs_ = 0;
   setup_ = false;
 }
 

@@ -11,6 +11,7 @@
 #include "graspless/planning/task_space_rrt.hpp"
 
 #include "planning/task_space_tree.hpp"
+#include "text.hpp"
 
 namespace graspless::planning {
 
@@ -53,7 +54,7 @@ void TaskSpaceRRT::set_targets(std::vector<Eigen::VectorXd> x) {
 
 void TaskSpaceRRT::set_random_probability(double probability) {
   require(probability >= 0 && probability < 1,
-          "random_probability must lie in [0, 1), not " + std::to_string(probability));
+          "random_probability must lie in [0, 1), not " + figure(probability));
   random_probability_ = probability;
 }
 

@@ -7,17 +7,12 @@
 
 #include "realize/examination.hpp"
 #include "realize/validate.hpp"
+#include "text.hpp"
 
 namespace graspless::realize {
 namespace {
 
 constexpr double kSame = 1e-9;  // of joints between segments [rad]
-
-std::string figure(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "graspless/realize/realize.hpp"
 
 #include "realize/attempt.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -45,21 +46,16 @@ planning::Budget rest(const planning::Budget& budget, const planning::Clock& clo
   return left;
 }
 
-std::string figure(double value, const char* unit) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %s", value, unit);
-  return text;
-}
-
 /// Says what became of the best plan, for one that is kept instead.
 std::string warning(const CarriedPlan& best, const CarriedPlan& kept, double radius) {
   const double scrub = scrub_of(best.realization);
-  return "the best plan costs " + figure(best.plan.cost, "m") +
+  return "the best plan costs " + figure(best.plan.cost, 3) + " m" +
          ", but the robot cannot carry it out" +
-         (best.realization ? " with fingertips that slip by less than " + figure(1e3 * scrub, "mm")
-                           : ": " + best.realization.reason) +
-         "; in this one, fingertips are at most " + figure(1e3 * span_of(kept.plan, radius), "mm") +
-         " apart";
+         (best.realization
+              ? " with fingertips that slip by less than " + figure(1e3 * scrub, 3) + " mm"
+              : ": " + best.realization.reason) +
+         "; in this one, fingertips are at most " + figure(1e3 * span_of(kept.plan, radius), 3) +
+         " mm" + " apart";
 }
 
 /// The best plan, with the reasons why neither it nor the last one that was tried is carried out.

@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "text.hpp"
+
 namespace graspless::realize {
 namespace {
 
@@ -46,7 +48,7 @@ void check_row(const Row& row, std::size_t segment, std::size_t fingers) {
     const bool is_sound = finger.p_OC.allFinite() && std::abs(finger.n_O.norm() - 1) < 1e-3;
     if (!is_sound)
       throw malformed(segment, "has a contact point that is not finite or a normal of length " +
-                                   std::to_string(finger.n_O.norm()));
+                                   figure(finger.n_O.norm()));
   }
 }
 

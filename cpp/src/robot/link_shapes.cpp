@@ -7,6 +7,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "text.hpp"
+
 namespace graspless::robot {
 namespace {
 
@@ -46,8 +48,7 @@ void check_cylinder(const urdf::Cylinder& cylinder, const std::string& what) {
   for (const double length : {cylinder.radius, cylinder.length}) {
     if (std::isfinite(length) && length > 0) continue;
     throw std::invalid_argument(what + ": radius and length of a cylinder must be positive, not " +
-                                std::to_string(cylinder.radius) + " and " +
-                                std::to_string(cylinder.length));
+                                figure(cylinder.radius) + " and " + figure(cylinder.length));
   }
 }
 

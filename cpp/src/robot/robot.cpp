@@ -3,6 +3,7 @@
 #include "graspless/robot/robot.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -12,6 +13,7 @@
 #include "geometry/read_text.hpp"
 #include "robot/model.hpp"
 #include "robot/names.hpp"
+#include "text.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -90,13 +92,10 @@ Robot Robot::from_urdf(const std::string& xml, const Options& options) {
 
 Robot Robot::from_urdf_file(const std::string& path, Options options) {
   const std::string xml = geometry::read_text(path);
-  const std::string stem = path.substr(0, path.rfind(".urdf"));
-  const std::size_t slash = path.rfind('/');
-  if (options.directory.empty()) {
-    options.directory = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-  }
-  if (options.srdf.empty() && exists(stem + ".srdf"))
-    options.srdf = geometry::read_text(stem + ".srdf");
+  const std::filesystem::path file(path), folder = file.parent_path();
+  if (options.directory.empty()) options.directory = folder.empty() ? "." : folder.string();
+  const std::string srdf = std::filesystem::path(file).replace_extension(".srdf").string();
+  if (options.srdf.empty() && exists(srdf)) options.srdf = geometry::read_text(srdf);
   try {
     options.packages = find_packages({xml, options.srdf, options.packages, options.directory});
     return from_urdf(xml, options);
@@ -247,8 +246,8 @@ void require_configuration(const Robot& robot, const VectorXd& q, const std::str
     if (q[i] >= robot.lower()[i] - 1e-9 && q[i] <= robot.upper()[i] + 1e-9) continue;
     throw std::invalid_argument(
         field + ": joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
-        std::to_string(q[i]) + ", outside its limits [" + std::to_string(robot.lower()[i]) + ", " +
-        std::to_string(robot.upper()[i]) + "] " + (robot.step_weights()[i] > 1 ? "m" : "rad"));
+        figure(q[i]) + ", outside its limits [" + figure(robot.lower()[i]) + ", " +
+        figure(robot.upper()[i]) + "] " + (robot.step_weights()[i] > 1 ? "m" : "rad"));
   }
 }
 

@@ -15,6 +15,7 @@
 
 #include "robot/model.hpp"
 #include "robot/xml.hpp"
+#include "text.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -163,8 +164,8 @@ class SrdfReader {
     }
     const double lower = model_.lower[joint], upper = model_.upper[joint];
     if (!(value >= lower - kStateSlack && value <= upper + kStateSlack)) {
-      fail(element, "joint '" + name + "': " + text + " is outside its limits " +
-                        std::to_string(lower) + " to " + std::to_string(upper));
+      fail(element, "joint '" + name + "': " + text + " is outside its limits " + figure(lower) +
+                        " to " + figure(upper));
     }
     return std::clamp(value, lower, upper);
   }

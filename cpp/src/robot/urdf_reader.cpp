@@ -19,6 +19,7 @@
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 #include "robot/urdf_tree.hpp"
+#include "text.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -71,7 +72,7 @@ bool is_independent(const urdf::Joint& joint) { return is_movable(joint) && !joi
 void check_finite(double value, const std::string& joint, const std::string& what) {
   if (std::isfinite(value)) return;
   throw std::invalid_argument("joint '" + joint + "': " + what + " must be finite, not " +
-                              std::to_string(value));
+                              figure(value));
 }
 
 /// Lower and upper bound [rad or m].
@@ -81,8 +82,8 @@ std::pair<double, double> bounds(const urdf::Joint& joint) {
   check_finite(lower, joint.name, "lower");
   check_finite(upper, joint.name, "upper");
   if (lower > upper) {
-    throw std::invalid_argument("joint '" + joint.name + "': lower " + std::to_string(lower) +
-                                " is above upper " + std::to_string(upper));
+    throw std::invalid_argument("joint '" + joint.name + "': lower " + figure(lower) +
+                                " is above upper " + figure(upper));
   }
   return {lower, upper};
 }

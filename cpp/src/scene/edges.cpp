@@ -19,6 +19,7 @@
 #include "graspless/watch.hpp"
 
 #include "collision/overlap.hpp"
+#include "text.hpp"
 
 namespace graspless::scene {
 namespace {
@@ -27,21 +28,14 @@ constexpr double kFar = 1e3;  // a motion that is not bounded, without the troub
 constexpr double kRounded = 1e-9;  // steps between segments that are one configuration [rad or m]
 constexpr double kNarrowest = 1.0 / (1 << 24);  // part of an edge; for such motions
 
-std::string figure(double value) {
-  std::ostringstream out;
-  out.precision(3);
-  out << value;
-  return out.str();
-}
-
 }  // namespace
 
 std::string to_string(Verdict verdict) { return planning::name_of(verdict); }
 
 std::string Doubt::text() const {
   const std::string where =
-      segment + " row " + std::to_string(row) + ", t = " + figure(t) + " from the row before: ";
-  const std::string how_much = figure(amount) + " " + unit;
+      segment + " row " + std::to_string(row) + ", t = " + figure(t, 3) + " from the row before: ";
+  const std::string how_much = figure(amount, 3) + " " + unit;
   return where + condition +
          (verdict == Verdict::refuted ? ", by " + how_much : ", not excluded within " + how_much);
 }

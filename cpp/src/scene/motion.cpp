@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "robot/model.hpp"
+#include "text.hpp"
 
 namespace graspless::scene {
 namespace {
@@ -120,14 +121,14 @@ FrameRates frame_rates(const robot::Robot& robot, int link, const Eigen::VectorX
 int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
               double resolution) {
   if (!(resolution > 0)) {
-    throw std::invalid_argument("resolution must be positive, not " + std::to_string(resolution));
+    throw std::invalid_argument("resolution must be positive, not " + figure(resolution));
   }
   const double span = q1.size() == 0 ? 0 : robot.step(q1, q2);
   constexpr double kMaxSteps = 1e8;
   const double steps = std::ceil(span / resolution);
   if (steps > kMaxSteps) {
-    throw std::invalid_argument("resolution " + std::to_string(resolution) +
-                                " is too small for a motion of " + std::to_string(span));
+    throw std::invalid_argument("resolution " + figure(resolution) +
+                                " is too small for a motion of " + figure(span));
   }
   return std::max(1, static_cast<int>(steps));
 }

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "once.hpp"
 #include "scene/motion.hpp"
 
 namespace graspless::scene {
@@ -33,9 +34,9 @@ LinkSolids make_link_solids(const robot::Robot& robot) {
 /// because planners build a scene for every query.
 std::shared_ptr<const LinkSolids> link_solids(const robot::Robot& robot) {
   using Owner = std::weak_ptr<const void>;
-  static std::mutex mutex;
+  static PolledMutex mutex;
   static std::map<Owner, std::shared_ptr<const LinkSolids>, std::owner_less<Owner>> known;
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard lock(mutex);
   for (auto it = known.begin(); it != known.end();)
     it = it->first.expired() ? known.erase(it) : ++it;
   auto& solids = known[robot.identity()];

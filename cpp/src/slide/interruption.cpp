@@ -11,6 +11,7 @@
 #include "graspless/slide/resume.hpp"
 
 #include "slide/refusals.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -18,13 +19,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kDegree = 0.017453292519943295;  // [rad]
-
-std::string figure(double value) {
-  std::ostringstream out;
-  out.precision(3);
-  out << value;
-  return out.str();
-}
 
 /// Why the object does not lie flat on the support; empty if it does.
 std::string why_not_flat(const Problem& problem, const Eigen::Isometry3d& X_SO) {
@@ -37,8 +31,8 @@ std::string why_not_flat(const Problem& problem, const Eigen::Isometry3d& X_SO) 
            " is allowed";
   }
   if (tilt > kFlatTilt) {
-    return "the object is tilted by " + figure(tilt / kDegree) +
-           " degrees against the support; at most " + figure(kFlatTilt / kDegree) +
+    return "the object is tilted by " + figure(tilt / kDegree, 3) +
+           " degrees against the support; at most " + figure(kFlatTilt / kDegree, 3) +
            " degrees are allowed";
   }
   return "";
@@ -78,9 +72,9 @@ std::string why_far(const Query& query, const VectorXd& q, const VectorXd& corre
   if (step <= kMaxCorrection) return "";
   Eigen::Index joint = 0;
   (corrected - q).cwiseProduct(robot.step_weights()).cwiseAbs().maxCoeff(&joint);
-  return "q is " + figure(step) + " rad from the nearest configuration to begin at (joint '" +
+  return "q is " + figure(step, 3) + " rad from the nearest configuration to begin at (joint '" +
          robot.joint_names()[static_cast<std::size_t>(joint)] + "'); at most " +
-         figure(kMaxCorrection) + " rad is allowed";
+         figure(kMaxCorrection, 3) + " rad is allowed";
 }
 
 Tip tip_at(const Query& query, const VectorXd& q) {

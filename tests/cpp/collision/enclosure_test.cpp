@@ -3,9 +3,12 @@
 #include "collision/enclosure.hpp"
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "graspless/watch.hpp"
 
 #include "collision/shapes.hpp"
 
@@ -147,6 +150,31 @@ TEST(World, ABodyInsideAClosedMeshTouchesIt) {
       world.set_pose(small, at(0.9));
       EXPECT_FALSE(world.collides());
     }
+  }
+}
+
+/// True if the look is ended at a call of the check, the first of which is 0.
+bool is_ended_at(int call, const std::function<void()>& look) {
+  const Watch watch([&] {
+    if (call-- <= 0) throw Stop{};
+  });
+  try {
+    look();
+    return false;
+  } catch (const Stop&) {
+    return true;
+  }
+}
+
+TEST(Enclosure, AnEndedPreparationBeginsAnew) {
+  const Mesh mesh = torus(400, 250);
+  const Vector3d inside(kRing, 0, 0);
+  for (int call = 0;; ++call) {
+    const Enclosure enclosure(mesh);
+    const bool is_ended = is_ended_at(call, [&] { enclosure.contains(inside); });
+    EXPECT_TRUE(enclosure.contains(inside)) << "ended at call " << call;
+    EXPECT_FALSE(enclosure.contains(Vector3d::Zero()));
+    if (!is_ended) break;
   }
 }
 

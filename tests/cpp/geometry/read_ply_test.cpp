@@ -84,6 +84,8 @@ TEST(ReadPly, NamesTheFaultOfAPly) {
        "states 4000000000 of element 'vertex', but the rest of the file holds 3 at most"},
       {ply("element vertex 1\nproperty float x\nproperty float y\nproperty float z\n", "0 a 0\n"),
        "vertex 0: 'a' is not a number"},
+      {ply("element vertex 1\nproperty float x\n", "1e300\n"),
+       "vertex 0: '1e300' is too large for a float"},
       {ply(kPlyVertices + ("element face 1\n" + list), points + "400000000 0 1 2\n"),
        "face 0: list 'vertex_indices' states length 4e+08, but the rest of the file holds 0 to 4"},
       {ply(kPlyVertices + ("element face 1\n" + list), points + "-1 0 1 2\n"), "states length -1"},

@@ -111,6 +111,15 @@ TEST_F(Packages, OfPicturesMayBeMissing) {
   EXPECT_CONTAINS(complaint([&] { find_packages(arm("package://mine")); }), "names no file");
 }
 
+TEST_F(Packages, OfAFolderWhoseNameHasTheEndingOfRobots) {
+  make_package("mine");
+  fs::create_directories(folder_ / "robots.urdf");
+  std::ofstream(folder_ / "robots.srdf") << "no SRDF of the robot";
+  const std::string path = (folder_ / "robots.urdf" / "arm.xml").string();
+  std::ofstream(path) << arm("package://mine/t.obj").urdf;
+  EXPECT_TRUE(Robot::from_urdf_file(path).options().srdf.empty());
+}
+
 TEST_F(Packages, AreFoundForFiles) {
   make_package("mine");
   const std::string path = (folder_ / "robots" / "arm" / "urdf" / "arm.urdf").string();

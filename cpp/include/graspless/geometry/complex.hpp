@@ -67,7 +67,7 @@ class GRASPLESS_API Filtration {
   const Eigen::Matrix3Xd& points() const;
   /// Number of distinct points.
   int num_vertices() const;
-  /// Returns K_d for d = max_edge_length [m].
+  /// Returns K_d for d = max_edge_length [m]. Throws std::invalid_argument unless it is positive.
   Complex complex(double max_edge_length) const;
   /// Persistence pairs of H_1 over Z_2, largest ratio death / birth first. Omits pairs that die at
   /// birth.
@@ -76,6 +76,7 @@ class GRASPLESS_API Filtration {
   const BettiCurve& betti() const;
   /// Plateaus with at least one lasting loop, largest ratio upper / lower first. A loop is lasting
   /// if its ratio death / birth is at least `lasting_ratio`; 1 counts every loop, as betti() does.
+  /// Throws std::invalid_argument if it is less.
   std::vector<Plateau> plateaus(double lasting_ratio = kLastingRatio) const;
   /// Labels of the edges of complex(max_edge_length) for some of the classes that are alive in it:
   /// bit i is for persistence()[classes[i]]. A cycle contains a class if the sum of its edges'
@@ -88,7 +89,7 @@ class GRASPLESS_API Filtration {
   /// Birth and death of the homology class of a closed walk in K_d. The class is born when the
   /// first walk in it appears, and dies when it is filled. The two are equal if the walk is filled
   /// in K_d itself. `cycle` lists columns of points() without repeating the first. Throws
-  /// std::invalid_argument if a step of the walk is not an edge of K_d.
+  /// std::invalid_argument if a step of the walk is not an edge of K_d, or if it has fewer than 3.
   PersistencePair span(const std::vector<int>& cycle, double max_edge_length) const;
 
  private:

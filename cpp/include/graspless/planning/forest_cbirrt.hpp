@@ -77,9 +77,6 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   std::size_t num_goal_roots() const;
   std::size_t num_nodes() const;
   std::size_t num_pairs() const { return num_pairs_; }  ///< pairs checked by isStartGoalPairValid
-  std::size_t num_connections() const {
-    return num_connections_;
-  }  ///< connections of two trees, also of invalid pairs
 
  private:
   struct Meeting {  // two nodes, one of each forest, at the same state
@@ -122,7 +119,7 @@ class GRASPLESS_API ForestCBiRRT : public ompl::base::Planner {
   std::unique_ptr<RootComponents> components_;
   std::set<std::pair<int, int>> refused_;  // pairs of roots; most connections repeat a known pair
   Forest* next_ = nullptr;                 // the forest to grow next: Pi_a
-  std::size_t num_pairs_ = 0, num_connections_ = 0;
+  std::size_t num_pairs_ = 0;
 };
 
 }  // namespace graspless::planning

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "clasp/hand/palm.hpp"
+#include "text.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -19,8 +20,7 @@ constexpr double kMinSegment = 1e-4;  // length of a segment of a curve [m]
 constexpr double kMaxPalm = 0.25;     // width of a palm [m]
 
 std::string text(const Vector3d& v) {
-  return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ", " + std::to_string(v.z()) +
-         ")";
+  return "(" + figure(v.x()) + ", " + figure(v.y()) + ", " + figure(v.z()) + ")";
 }
 
 /// Runs a lookup by name and prefixes its error message with the field.
@@ -181,9 +181,8 @@ void check_meeting(const Hand& hand, const robot::Robot& robot, const std::strin
   const double apart = distance(robot.state(hand.open))[0];
   if (apart > kMaxPalm) {
     throw std::invalid_argument(field + " does not meet the thumb: their first nodes, on links '" +
-                                first.link + "' and '" + thumbs.link + "', are " +
-                                std::to_string(apart) + " m apart; a palm is at most " +
-                                std::to_string(kMaxPalm) + " m wide");
+                                first.link + "' and '" + thumbs.link + "', are " + figure(apart) +
+                                " m apart; a palm is at most " + figure(kMaxPalm) + " m wide");
   }
   if (!a_joint_changes(hand, robot, distance)) return;
   throw std::invalid_argument(field + " does not meet the thumb: joints of the group '" +

@@ -10,6 +10,7 @@
 
 #include "clasp/certificate/core.hpp"
 #include "clasp/object/surface.hpp"
+#include "once.hpp"
 
 namespace graspless::clasp {
 
@@ -47,7 +48,7 @@ struct Object::Data {
   geometry::Mesh surface;
   double spacing = 0;
 
-  mutable std::once_flag solid_made, clearance_made, outer_made, core_made;
+  mutable Once solid_made, clearance_made, outer_made, core_made;
   mutable std::optional<collision::Solid> solid;
   mutable std::optional<collision::Clearance> clearance, outer;
   mutable std::optional<Core> core;
@@ -78,7 +79,7 @@ const geometry::Mesh& Object::surface() const { return data_->surface; }
 double Object::spacing() const { return data_->spacing; }
 
 const collision::Solid& Object::solid() const {
-  std::call_once(data_->solid_made, [&] {
+  data_->solid_made([&] {
     data_->solid.emplace(std::vector<geometry::PlacedShape>{{data_->surface}},
                          "object '" + data_->name + "'");
   });
@@ -86,12 +87,12 @@ const collision::Solid& Object::solid() const {
 }
 
 const collision::Clearance& Object::clearance() const {
-  std::call_once(data_->clearance_made, [&] { data_->clearance.emplace(data_->surface); });
+  data_->clearance_made([&] { data_->clearance.emplace(data_->surface); });
   return *data_->clearance;
 }
 
 const collision::Clearance& Object::outer_clearance() const {
-  std::call_once(data_->outer_made, [&] { data_->outer.emplace(shell_of(data_->loops.surface)); });
+  data_->outer_made([&] { data_->outer.emplace(shell_of(data_->loops.surface)); });
   return *data_->outer;
 }
 
@@ -100,7 +101,7 @@ std::shared_ptr<collision::Clearance> Object::borrow_outer_clearance() const {
 }
 
 const Core& Object::core() const {
-  std::call_once(data_->core_made, [&] { data_->core.emplace(data_->loops.surface); });
+  data_->core_made([&] { data_->core.emplace(data_->loops.surface); });
   return *data_->core;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "clasp/samples/parts.hpp"
+#include "text.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -57,7 +58,7 @@ std::vector<geometry::PlacedShape> sample_object(const std::string& name, double
   constexpr double kMaxScale = 1000;
   const Maker make = maker(name);
   if (!(scale > 0 && scale <= kMaxScale)) {
-    throw std::invalid_argument("scale must be in (0, 1000], not " + std::to_string(scale));
+    throw std::invalid_argument("scale must be in (0, 1000], not " + figure(scale));
   }
   Parts parts = make();
   for (geometry::PlacedShape& part : parts) {

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "text.hpp"
+
 namespace graspless::fingertip::checking {
 namespace {
 
@@ -79,12 +81,6 @@ std::string Examination::place(std::size_t s) const {
 
 std::string Examination::place(std::size_t s, std::size_t row) const {
   return place(s) + ", row " + std::to_string(row);
-}
-
-std::string Examination::figure(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
 }
 
 bool Examination::has_shape() {

@@ -68,7 +68,6 @@ class Examination {
   void attempt(const std::string& where, const Part& part);
   std::string place(std::size_t segment) const;
   std::string place(std::size_t segment, std::size_t row) const;
-  static std::string figure(double value);
   const Segment& segment(std::size_t i) const { return plan_.segments[i]; }
   bool is_regrasp(std::size_t i) const { return segment(i).finger >= 0; }
 

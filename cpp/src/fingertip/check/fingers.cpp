@@ -12,6 +12,7 @@
 #include "graspless/collision/world.hpp"
 
 #include "fingertip/check/check.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "fingertip/check/check.hpp"
 #include "mechanics/contacts/cones.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {

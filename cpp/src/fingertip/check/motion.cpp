@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fingertip/check/check.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip::checking {
 namespace {

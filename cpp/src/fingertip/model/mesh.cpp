@@ -20,6 +20,8 @@
 #include "graspless/mechanics/contact.hpp"
 #include "graspless/watch.hpp"
 
+#include "text.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -73,7 +75,7 @@ void require_closed(const geometry::Mesh& mesh, const std::string& what) {
     std::string text = "the edge between (";
     for (const int v : {from, to}) {
       for (int k = 0; k < 3; ++k) {
-        text += std::to_string(mesh.vertices(k, v)) + (k < 2 ? ", " : ")");
+        text += figure(mesh.vertices(k, v)) + (k < 2 ? ", " : ")");
       }
       if (v == from) text += " and (";
     }
@@ -175,8 +177,8 @@ geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what) 
   const double size = diagonal(out.vertices);
   const double volume = mass_properties(out).volume;
   if (!(std::abs(volume) > kMinVolume * size * size * size)) {
-    refuse(what, "must have a volume, but has " + std::to_string(volume) + " m^3 at a size of " +
-                     std::to_string(size) + " m");
+    refuse(what, "must have a volume, but has " + figure(volume) + " m^3 at a size of " +
+                     figure(size) + " m");
   }
   if (volume < 0) out.triangles.row(1).swap(out.triangles.row(2));
   return out;

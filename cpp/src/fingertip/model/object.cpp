@@ -12,6 +12,7 @@
 
 #include "fingertip/model/mesh.hpp"
 #include "geometry/convex_hull.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -71,8 +72,8 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
     inside = n.dot(com_O - a) <= 1e-9 * size_;
   }
   if (!inside) {
-    throw std::invalid_argument(called(name_) + " com (" + std::to_string(com_O.x()) + ", " +
-                                std::to_string(com_O.y()) + ", " + std::to_string(com_O.z()) +
+    throw std::invalid_argument(called(name_) + " com (" + figure(com_O.x()) + ", " +
+                                figure(com_O.y()) + ", " + figure(com_O.z()) +
                                 ") must lie within the convex hull");
   }
   Object other = *this;

@@ -11,6 +11,8 @@
 
 #include "graspless/fingertip/problem.hpp"
 
+#include "text.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -104,10 +106,10 @@ Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point
     throw std::invalid_argument("axis_W must be finite and not zero, and point_W finite");
   }
   if (!(std::abs(angle) > 0 && std::isfinite(angle))) {
-    throw std::invalid_argument("angle must be finite and not zero, not " + std::to_string(angle));
+    throw std::invalid_argument("angle must be finite and not zero, not " + figure(angle));
   }
   if (!(std::abs(angle) <= kMaxTurn * segments)) {
-    throw std::invalid_argument("angle " + std::to_string(angle) + " rad: each of the segments (" +
+    throw std::invalid_argument("angle " + figure(angle) + " rad: each of the segments (" +
                                 std::to_string(segments) + ") may turn by 3 rad at most");
   }
   const Eigen::Translation3d to_point(point_W), from_point(-point_W);
@@ -129,10 +131,9 @@ Path join(const std::vector<Path>& paths) {
     if (i > 0) {
       const mechanics::Vector6d gap = screw_between(all.X_WO.back(), *first);
       if (!(gap.cwiseAbs().maxCoeff() <= kJoint)) {
-        throw std::invalid_argument("paths[" + std::to_string(i) +
-                                    "] must start where the one before ends, but is " +
-                                    std::to_string(gap.head<3>().norm()) + " m and " +
-                                    std::to_string(gap.tail<3>().norm()) + " rad away");
+        throw std::invalid_argument(
+            "paths[" + std::to_string(i) + "] must start where the one before ends, but is " +
+            figure(gap.head<3>().norm()) + " m and " + figure(gap.tail<3>().norm()) + " rad away");
       }
       ++first;
     }

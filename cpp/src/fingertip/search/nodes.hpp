@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fingertip/model/pose_graph.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 
@@ -25,7 +26,7 @@ class NodeCode {
     double count = static_cast<double>(num_poses) * num_layers;
     for (int i = 0; i < num_fingers; ++i) count *= num_locations + 1;
     if (count < 1e19) return;
-    throw std::invalid_argument("the graph has " + std::to_string(count) +
+    throw std::invalid_argument("the graph has " + figure(count) +
                                 " nodes, more than can be numbered: take fewer locations");
   }
 

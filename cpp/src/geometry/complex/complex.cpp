@@ -5,7 +5,6 @@
 #include "graspless/geometry/complex.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -18,6 +17,8 @@
 #include "geometry/complex/simplices.hpp"
 #include "geometry/pulse.hpp"
 #include "geometry/require_points.hpp"
+#include "once.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -43,6 +44,10 @@ void check_span(const Delaunay& delaunay, const Eigen::Matrix3Xd& points, const 
   }
 }
 
+void require(bool holds, const char* what, double value) {
+  if (!holds) throw std::invalid_argument(std::string(what) + ", not " + figure(value));
+}
+
 Simplices triangulated(const Eigen::Matrix3Xd& points, const std::string& what) {
   require_points(points, what);
   const Delaunay triangulation = delaunay(points);
@@ -61,7 +66,7 @@ struct Filtration::Data {
 
   Eigen::Matrix3Xd points;
   Simplices simplices;
-  mutable std::once_flag ranked, reduced, completed, spanned;
+  mutable Once ranked, reduced, completed, spanned;
   mutable std::optional<Ranking> ranking;
   mutable std::optional<BettiCurve> betti;
   mutable std::optional<Reduction> reduction;
@@ -69,7 +74,7 @@ struct Filtration::Data {
   mutable std::vector<Parent> tree;
 
   const BettiCurve& curve() const {
-    std::call_once(ranked, [this] {
+    ranked([this] {
       ranking = geometry::ranking(simplices);
       betti = betti_curve(*ranking);
     });
@@ -77,11 +82,11 @@ struct Filtration::Data {
   }
   const Reduction& reduce() const {
     curve();
-    std::call_once(reduced, [this] { reduction.emplace(*ranking); });
+    reduced([this] { reduction.emplace(*ranking); });
     return *reduction;
   }
   const std::vector<PersistencePair>& all_pairs() const {
-    std::call_once(completed, [this] {
+    completed([this] {
       pairs = reduce().pairs();
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Reduction::Ends ends = reduction->ends(static_cast<int>(i));
@@ -95,7 +100,7 @@ struct Filtration::Data {
   /// Longest edge on the way between two vertices in the tree of shortest edges [m].
   double longest_step(int a, int b) const {
     curve();
-    std::call_once(spanned, [this] { span_tree(); });
+    spanned([this] { span_tree(); });
     double longest = 0;
     while (a != b) {
       int& deeper = tree[index(a)].depth >= tree[index(b)].depth ? a : b;
@@ -150,6 +155,7 @@ const Eigen::Matrix3Xd& Filtration::points() const { return data_->points; }
 int Filtration::num_vertices() const { return data_->simplices.num_vertices; }
 
 Complex Filtration::complex(double max_edge_length) const {
+  require(max_edge_length > 0, "max_edge_length must be positive", max_edge_length);
   const Simplices& all = data_->simplices;
   Complex result;
   result.points = data_->points;
@@ -184,7 +190,7 @@ ClassLabels Filtration::labels(double max_edge_length, const std::vector<int>& c
     const auto at = static_cast<std::size_t>(i);
     if (exists && pairs[at].birth < max_edge_length && max_edge_length <= pairs[at].death) continue;
     throw std::invalid_argument("class " + std::to_string(i) + " is not alive at " +
-                                std::to_string(max_edge_length) + " m");
+                                figure(max_edge_length) + " m");
   }
   ClassLabels result;
   result.num_classes = static_cast<int>(classes.size());
@@ -211,10 +217,15 @@ double Filtration::jump(const PersistencePair& pair) const {
 const BettiCurve& Filtration::betti() const { return data_->curve(); }
 
 std::vector<Plateau> Filtration::plateaus(double lasting_ratio) const {
+  require(lasting_ratio >= 1, "lasting_ratio must be at least 1", lasting_ratio);
   return geometry::plateaus(persistence(), lasting_ratio);
 }
 
 PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_length) const {
+  if (cycle.size() < 3) {
+    throw std::invalid_argument("cycle must have at least 3 points, not " +
+                                std::to_string(cycle.size()));
+  }
   const std::vector<int>& rank = data_->reduce().ranking().rank;
   std::vector<int> edges;
   for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -224,7 +235,7 @@ PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_
     if (edge < 0 || !(data_->simplices.lengths[static_cast<std::size_t>(edge)] < max_edge_length)) {
       throw std::invalid_argument("cycle goes from point " + std::to_string(a) + " to " +
                                   std::to_string(b) + ", which is no edge shorter than " +
-                                  std::to_string(max_edge_length) + " m");
+                                  figure(max_edge_length) + " m");
     }
     edges.push_back(rank[static_cast<std::size_t>(edge)]);
   }

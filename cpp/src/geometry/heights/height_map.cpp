@@ -8,6 +8,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "text.hpp"
+
 namespace graspless::geometry {
 
 namespace {
@@ -79,7 +81,7 @@ void validate(const HeightMap& map, const std::string& field) {
   if (!map.corner.allFinite() || map.corner.lpNorm<Eigen::Infinity>() > kMaxLength)
     refuse(".corner must be two finite coordinates of at most 1e4 m");
   if (!(map.cell >= kLeastCell && map.cell <= kMaxLength))
-    refuse(".cell must lie in [1e-4, 1e4] m, not " + std::to_string(map.cell));
+    refuse(".cell must lie in [1e-4, 1e4] m, not " + figure(map.cell));
   const Eigen::Index count = map.heights.size();
   if (count < 1 || count > kMostCells)
     refuse(".heights must have 1 to 1000000 cells, not " + std::to_string(count));
@@ -97,7 +99,7 @@ void validate(const HeightMap& map, const std::string& field) {
 
 std::vector<PlacedShape> columns(const HeightMap& map, double step) {
   if (!(step >= kMinLength && std::isfinite(step)))
-    throw std::invalid_argument("step must be at least 1e-6 m, not " + std::to_string(step));
+    throw std::invalid_argument("step must be at least 1e-6 m, not " + figure(step));
   const double highest = map.heights.maxCoeff();
   Rectangles rectangles(
       map.heights.unaryExpr([&](double height) { return level_of(height, step); }));

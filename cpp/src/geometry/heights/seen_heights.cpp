@@ -9,6 +9,7 @@
 #include "graspless/watch.hpp"
 
 #include "geometry/convex_hull.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 
@@ -96,8 +97,7 @@ class Passed {
 HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double top,
                     double cell) {
   if (!points.allFinite()) throw std::invalid_argument("points must be finite");
-  if (!(cell > 0))
-    throw std::invalid_argument("cell must be positive, not " + std::to_string(cell));
+  if (!(cell > 0)) throw std::invalid_argument("cell must be positive, not " + figure(cell));
   const Eigen::Matrix2Xd& ring = outline.vertices();
   Vector2d low = ring.rowwise().minCoeff(), high = ring.rowwise().maxCoeff();
   if (points.cols() > 0) {
@@ -111,13 +111,11 @@ HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, doub
   constexpr double kMost = 1e3;  // cells along a side
   if (!(count.maxCoeff() <= kMost))
     throw std::invalid_argument("cell is too small for an object of " +
-                                std::to_string((high - low).maxCoeff()) +
-                                " m: " + std::to_string(cell) + " m");
+                                figure((high - low).maxCoeff()) + " m: " + figure(cell) + " m");
   constexpr double kMostVoxels = 2e7;
   if (!(top > 0 && count.prod() * std::ceil(top / (kBin * cell)) <= kMostVoxels))
     throw std::invalid_argument("top must be positive, and have at most 2e7 voxels of " +
-                                std::to_string(cell) + " m below it, not " + std::to_string(top) +
-                                " m");
+                                figure(cell) + " m below it, not " + figure(top) + " m");
   map.heights.setZero(static_cast<Index>(count.x()), static_cast<Index>(count.y()));
   return map;
 }

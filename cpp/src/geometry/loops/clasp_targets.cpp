@@ -8,6 +8,7 @@
 #include "graspless/geometry/loops.hpp"
 
 #include "geometry/require_points.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -48,7 +49,7 @@ std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count) 
   if (loop.cols() < 3 || !(curve.length() > 0)) {
     throw std::invalid_argument("loop must have at least 3 corners and a length, not " +
                                 std::to_string(loop.cols()) + " corners and " +
-                                std::to_string(curve.length()) + " m");
+                                figure(curve.length()) + " m");
   }
   // With one or two targets the chord would span the whole loop.
   const double step = curve.length() / count, half = curve.length() / std::max(2 * count, 16);

@@ -13,6 +13,7 @@
 
 #include "geometry/loops/openness.hpp"
 #include "geometry/loops/report.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -108,15 +109,15 @@ void judge(const Openness& open, double strength, const LoopOptions& options, Ju
     judged.kind = options.drop_meridians ? Kind::meridian : Kind::found;
     judged.reason = "it runs around a thick handle instead of along it";
   } else if (judged.jump > kMaxJump) {
-    judged.reason = "it closes across a gap of " + short_number(judged.span.birth) + " m, " +
-                    short_number(judged.jump) + " times the other steps around it";
+    judged.reason = "it closes across a gap of " + figure(judged.span.birth, 3) + " m, " +
+                    figure(judged.jump, 3) + " times the other steps around it";
   } else if (judged.openness < kOpen) {
     judged.reason = "the object closes it on one side";
   } else if (strength < options.min_ratio || ratio < kLeastRatio) {
-    judged.reason = "it is " + short_number(strength) +
+    judged.reason = "it is " + figure(strength, 3) +
                     " times as wide as the gaps between points near it (a hole: " +
-                    short_number(options.min_ratio) + "), with a ratio death / birth of " +
-                    short_number(ratio) + " (a hole: " + short_number(kLeastRatio) + ")";
+                    figure(options.min_ratio, 3) + "), with a ratio death / birth of " +
+                    figure(ratio, 3) + " (a hole: " + figure(kLeastRatio, 3) + ")";
   } else {
     judged.kind = Kind::found;
   }

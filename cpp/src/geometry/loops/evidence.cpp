@@ -12,6 +12,7 @@
 
 #include "geometry/loops/open_regions.hpp"
 #include "geometry/loops/report.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -155,11 +156,10 @@ std::string doubt(const Passage& passage, const std::vector<char>& known) {
   if (!is_passed)
     return "no ray passed through it: it may be the rim of a vessel, or the edge of what was seen";
   if (passage.gap > 0) {
-    return "it crosses " + short_number(passage.gap) +
-           " m that rays passed: the object is open there";
+    return "it crosses " + figure(passage.gap, 3) + " m that rays passed: the object is open there";
   }
   if (passage.unseen > kMostUnseen) {
-    return "no ray reached " + short_number(100 * passage.unseen) +
+    return "no ray reached " + figure(100 * passage.unseen, 3) +
            " % of its length: the object may be open there";
   }
   if (!is_new) return "all rays through it pass through shorter loops as well";

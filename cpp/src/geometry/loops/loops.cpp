@@ -26,6 +26,7 @@
 #include "geometry/loops/thickness.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/downsample.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -247,11 +248,11 @@ void validate(const LoopOptions& options) {
   const auto require = [](bool holds, const std::string& name, double value,
                           const std::string& must) {
     if (holds) return;
-    throw std::invalid_argument(name + " must be " + must + ", not " + short_number(value));
+    throw std::invalid_argument(name + " must be " + must + ", not " + figure(value, 3));
   };
   require(options.max_edge_length >= 0 && options.max_edge_length <= kMaxLength, "max_edge_length",
           options.max_edge_length,
-          "in [0, " + short_number(kMaxLength) + "] m (0: each hole has its own)");
+          "in [0, " + figure(kMaxLength, 3) + "] m (0: each hole has its own)");
   require(options.min_ratio > 1 && std::isfinite(options.min_ratio), "min_ratio", options.min_ratio,
           "greater than 1 and finite");
   require(options.max_points >= 100 && options.max_points <= 1000000, "max_points",

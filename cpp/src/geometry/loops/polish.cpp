@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -19,6 +18,7 @@
 #include "crew.hpp"
 #include "geometry/cycles/rooted_cycles.hpp"
 #include "geometry/sampling/hilbert_order.hpp"
+#include "once.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -183,7 +183,7 @@ class Polishers {
         }) {}
 
   const EdgeGraph& graph() {
-    std::call_once(made_, [this] { graph_.emplace(complex_, weight_); });
+    made_([this] { graph_.emplace(complex_, weight_); });
     return *graph_;
   }
 
@@ -193,7 +193,7 @@ class Polishers {
  private:
   const Complex& complex_;
   const EdgeWeight weight_;
-  std::once_flag made_;
+  Once made_;
   std::optional<EdgeGraph> graph_;
   Spares<LoopPolisher> spares_;
 };
@@ -212,7 +212,7 @@ class Polish {
 
   Cycle around_gaps(const Resolution& resolution, Cycle cycle) {
     if (resolution.widest_gap(cycle) == 0) return cycle;  // as in most clouds
-    std::call_once(weighted_made_, [&] {
+    weighted_made_([&] {
       if (!annotation_) label();
       weighted_ = std::make_unique<Polishers>(complex_, annotation_, [&resolution](int a, int b) {
         const double relative = resolution.relative_length(a, b);  // short edges stay near
@@ -226,7 +226,7 @@ class Polish {
  private:
   std::optional<Annotation> annotation_;
   Polishers plain_;
-  std::once_flag weighted_made_;
+  Once weighted_made_;
   std::unique_ptr<Polishers> weighted_;
   const Complex& complex_;
 };

@@ -8,6 +8,7 @@
 #include "graspless/geometry/sampling.hpp"
 
 #include "geometry/loops/classes.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -20,8 +21,8 @@ std::string count(std::size_t n, const char* what) {
 }
 
 std::string describe(const Plateau& plateau) {
-  return "from " + short_number(plateau.lower) + " to " + short_number(plateau.upper) +
-         " m (ratio " + short_number(plateau.ratio()) + ")";
+  return "from " + figure(plateau.lower, 3) + " to " + figure(plateau.upper, 3) + " m (ratio " +
+         figure(plateau.ratio(), 3) + ")";
 }
 
 /// Advice for max_edge_length: the holes of any d.
@@ -37,14 +38,14 @@ std::string advice(const Filtration& filtration) {
 
 /// Explanation of why K_d has no loop at a given d.
 std::string why_no_loop(const Filtration& filtration, double d, int num_alive) {
-  std::string reason = "max_edge_length " + short_number(d) + " m ";
+  std::string reason = "max_edge_length " + figure(d, 3) + " m ";
   const std::vector<Plateau> all = filtration.plateaus();
   if (filtration.complex(d).edges.cols() == 0) {
     reason += "is too small: no two points are closer; the spacing is about " +
-              short_number(spacing(filtration.points())) + " m";
+              figure(spacing(filtration.points()), 3) + " m";
   } else if (num_alive > 0) {
     return "each of the " + count(static_cast<std::size_t>(num_alive), "loop") +
-           " at max_edge_length " + short_number(d) + " m is a gap between points" +
+           " at max_edge_length " + figure(d, 3) + " m is a gap between points" +
            advice(filtration);
   } else if (!all.empty() && d <= all[0].lower) {
     reason += "is too small: the points do not form a loop";
@@ -62,7 +63,7 @@ void warn_of_gaps(const Filtration& filtration, Loops& result) {
       result.found.size() + result.uncertain.size() + result.meridians.size();
   const auto noise = static_cast<std::size_t>(result.noise);
   if (noise <= listed) return;
-  result.warnings.push_back("max_edge_length " + short_number(result.complex.max_edge_length) +
+  result.warnings.push_back("max_edge_length " + figure(result.complex.max_edge_length, 3) +
                             " m may be too small: " + std::to_string(noise) + " of " +
                             count(noise + listed, "loop") + " are gaps between points" +
                             advice(filtration));
@@ -73,26 +74,19 @@ void warn_of_open_loops(Loops& result) {
     const Loop& loop = result.found[i];
     if (loop.gap == 0) continue;
     result.warnings.push_back("loop " + std::to_string(i) + " crosses a gap of " +
-                              short_number(loop.gap) +
+                              figure(loop.gap, 3) +
                               " m without points; the object may come free there");
   }
 }
 
 }  // namespace
 
-std::string short_number(double value) {
-  std::ostringstream out;
-  out.precision(3);
-  out << value;
-  return out.str();
-}
-
 std::vector<std::string> cloud_warnings(const Filtration& filtration) {
   std::vector<std::string> warnings;
   const Eigen::Matrix3Xd& points = filtration.points();
   const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
   if (extent > kMaxPlausibleExtent) {
-    warnings.push_back("the points span " + short_number(extent) +
+    warnings.push_back("the points span " + figure(extent, 3) +
                        " m, which looks like millimetres; lengths are in metres");
   }
   const Eigen::Index equal = points.cols() - filtration.num_vertices();
@@ -113,7 +107,7 @@ void report(const Filtration& filtration, const LoopOptions& options, Loops& res
     result.status = LoopStatus::found;
     warn_of_open_loops(result);
     result.reason = count(result.found.size(), "loop") + " at max_edge_length " +
-                    short_number(result.complex.max_edge_length) + " m";
+                    figure(result.complex.max_edge_length, 3) + " m";
     if (!d_is_given) result.reason += ", on the plateau " + describe(result.plateau);
     if (!unclear.empty()) result.reason += "; beside " + unclear;
   } else if (!unclear.empty()) {

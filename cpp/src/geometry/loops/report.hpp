@@ -11,9 +11,6 @@
 /// Texts for users of shortest_loops: status, reason and warnings.
 namespace graspless::geometry {
 
-/// Formats a number with three significant digits.
-std::string short_number(double value);
-
 /// Warnings about a cloud: coordinates that look like millimetres, equal points.
 std::vector<std::string> cloud_warnings(const Filtration& filtration);
 

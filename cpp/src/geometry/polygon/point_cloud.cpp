@@ -15,6 +15,7 @@
 #include "graspless/watch.hpp"
 
 #include "geometry/polygon/alpha_shapes.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -23,12 +24,6 @@ using alpha::AlphaShapes, alpha::extent, alpha::Loop;
 using Points = std::vector<Eigen::Vector2d>;
 
 constexpr double kMaxGridPoints = 1e7;  // an outline in millimetres would fill the memory
-
-std::string number(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 double twice_area(const Points& loop) {
   double sum = 0;
@@ -83,9 +78,8 @@ void require_one_piece(const AlphaShapes& shapes, double gap, const std::string&
   constexpr double kSpacings = 12;
   const double spacing = shapes.median_spacing();
   if (gap <= kSpacings * spacing) return;
-  throw std::invalid_argument(what + " are not one piece: a gap of about " +
-                              std::to_string(2 * gap) + " m between points " +
-                              std::to_string(spacing) +
+  throw std::invalid_argument(what + " are not one piece: a gap of about " + figure(2 * gap) +
+                              " m between points " + figure(spacing) +
                               " m apart; remove stray points and other objects");
 }
 
@@ -93,16 +87,16 @@ void require_one_piece(const AlphaShapes& shapes, double gap, const std::string&
 
 Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
   if (!(spacing > 0)) {
-    throw std::invalid_argument("spacing must be positive, not " + std::to_string(spacing));
+    throw std::invalid_argument("spacing must be positive, not " + figure(spacing));
   }
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
   const double points = ((upper - lower) / spacing).cwiseMax(1).prod();
   if (points > kMaxGridPoints) {
-    throw std::invalid_argument("spacing " + number(spacing) + " m gives " + number(points) +
-                                " points on " + number((upper - lower).x()) + " x " +
-                                number((upper - lower).y()) + " m; at most " +
-                                number(kMaxGridPoints) + " are allowed");
+    throw std::invalid_argument("spacing " + figure(spacing) + " m gives " + figure(points) +
+                                " points on " + figure((upper - lower).x()) + " x " +
+                                figure((upper - lower).y()) + " m; at most " +
+                                figure(kMaxGridPoints) + " are allowed");
   }
   // Room for all points of the grid: memory that is not used is not resident.
   Eigen::Matrix2Xd inside(2, static_cast<Eigen::Index>(points) + 1);
@@ -123,9 +117,9 @@ Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
 Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
   if (!points.allFinite()) throw std::invalid_argument(what + " has a value that is not finite");
   if (points.size() > 0 && points.cwiseAbs().maxCoeff() > kMaxLength) {
-    throw std::invalid_argument(what + " must lie within " + number(kMaxLength) +
+    throw std::invalid_argument(what + " must lie within " + figure(kMaxLength) +
                                 " m of the origin along x and y, not at " +
-                                number(points.cwiseAbs().maxCoeff()) + " m");
+                                figure(points.cwiseAbs().maxCoeff()) + " m");
   }
   const AlphaShapes shapes(points);
   if (!shapes.span_an_area() || extent(points) < kMinLength) {

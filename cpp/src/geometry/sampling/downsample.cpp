@@ -12,6 +12,7 @@
 
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/point_grid.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -42,8 +43,8 @@ std::vector<int> one_of_each(const Eigen::Matrix3Xd& points, const PointGrid& gr
 std::vector<int> downsample(const Eigen::Matrix3Xd& points, double cell) {
   require_points(points, "points");
   if (!(cell > 0 && cell <= kMaxLength)) {
-    throw std::invalid_argument("cell must be in (0, " + std::to_string(kMaxLength) + "] m, not " +
-                                std::to_string(cell));
+    throw std::invalid_argument("cell must be in (0, " + figure(kMaxLength) + "] m, not " +
+                                figure(cell));
   }
   return one_of_each(points, PointGrid(points, cell));
 }

@@ -13,6 +13,8 @@
 
 #include "graspless/geometry/shape.hpp"
 
+#include "text.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
@@ -78,8 +80,7 @@ void check_slide(const Contact& contact, const std::string& field) {
 void normalize(Eigen::Vector3d* n_O, const std::string& field) {
   const double length = n_O->stableNorm();  // without overflow or underflow
   if (!n_O->allFinite() || !(length > 0)) {
-    throw std::invalid_argument(field + ".n_O must have a direction, not length " +
-                                std::to_string(length));
+    throw std::invalid_argument(field + ".n_O must have a direction, not length " + figure(length));
   }
   *n_O = (*n_O / length).normalized();
 }

@@ -12,6 +12,7 @@
 
 #include "geometry/require_points.hpp"
 #include "mechanics/contacts/patch_corners.hpp"
+#include "text.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -112,7 +113,7 @@ std::vector<int> touching(const Motion& motion, const Plane& plane, double toler
     const double height = plane.n_W.dot(motion.p_WV.col(i)) - plane.offset;
     if (height <= tolerance) touch.push_back(i);
     if (height < -tolerance && fault->empty()) {
-      *fault = "the vertex at " + text(motion.p_WV.col(i)) + " lies " + std::to_string(-height) +
+      *fault = "the vertex at " + text(motion.p_WV.col(i)) + " lies " + figure(-height) +
                " m inside plane '" + plane.name + "'";
     }
   }

@@ -13,6 +13,8 @@
 
 #include "graspless/mechanics/contact.hpp"
 
+#include "text.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
@@ -84,13 +86,12 @@ void check_moments(const Eigen::Vector3d& moments) {
   const double least = moments.minCoeff();
   if (!(least > 0)) {
     throw std::invalid_argument("inertia_O must be positive definite: its least moment is " +
-                                std::to_string(least));
+                                figure(least));
   }
   if (moments.sum() - 2 * moments.maxCoeff() < -1e-9 * moments.maxCoeff()) {
     throw std::invalid_argument(
         "inertia_O must have no principal moment above the sum of the others, as no body has: " +
-        std::to_string(moments.x()) + ", " + std::to_string(moments.y()) + ", " +
-        std::to_string(moments.z()));
+        figure(moments.x()) + ", " + figure(moments.y()) + ", " + figure(moments.z()));
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include "mechanics/lp/basis.hpp"
 #include "mechanics/lp/glpk.hpp"
+#include "text.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -34,8 +35,7 @@ void validate_bounds(const std::vector<double>& lower, const std::vector<double>
     // False for NaN. A lower bound of +infinity or an upper one of -infinity leaves nothing.
     if (lower[i] <= upper[i] && lower[i] < kInfinity && upper[i] > -kInfinity) continue;
     throw std::invalid_argument("bounds of " + what + " " + std::to_string(i) +
-                                " must be ordered: " + std::to_string(lower[i]) + ", " +
-                                std::to_string(upper[i]));
+                                " must be ordered: " + figure(lower[i]) + ", " + figure(upper[i]));
   }
 }
 
@@ -201,7 +201,7 @@ LpSolution solve_lp(const LinearProgram& lp) {
   if (error(best) > kBadError) {
     throw std::runtime_error(
         "the linear program could not be solved: the errors of the best answer are " +
-        std::to_string(error(best)));
+        figure(error(best)));
   }
   return best;
 }

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "text.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
@@ -43,7 +45,7 @@ void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMo
     if (force >= 0 && force <= limit * (1 + kAboveLimit)) continue;
     throw std::invalid_argument("commanded_forces[" + std::to_string(i) +
                                 "] must lie between 0 and the finger's max_normal_force " +
-                                std::to_string(limit) + " N, not " + std::to_string(force));
+                                figure(limit) + " N, not " + figure(force));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "mechanics/stability/fixed_forces.hpp"
 #include "mechanics/stability/friction_query.hpp"
 #include "mechanics/stability/reference.hpp"
+#include "text.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -36,9 +37,9 @@ FrictionVerdict fails(const Coefficients& environment, double fingers, const std
 
 std::string at(const Coefficients& environment, double fingers) {
   std::string text = " at friction ";
-  for (const double coefficient : environment) text += std::to_string(coefficient) + ", ";
+  for (const double coefficient : environment) text += figure(coefficient) + ", ";
   text.resize(text.size() - 2);
-  return text + " (environment), " + std::to_string(fingers) + " (fingers)";
+  return text + " (environment), " + figure(fingers) + " (fingers)";
 }
 
 /// Property of a contact set, for certain coefficients of friction and for intervals of them.
@@ -167,10 +168,9 @@ class StableEnough : public Property {
   }
   FrictionVerdict failure(const Coefficients& environment) override {
     const double fingers = q_.fingers.lower;
-    const std::string what = enough(z_) ? "a stability of " + std::to_string(q_.needed) +
-                                              " N can be neither proven nor refuted"
-                                        : "the stability is " + std::to_string(z_) +
-                                              " N, less than " + std::to_string(q_.needed) + " N";
+    const std::string what =
+        enough(z_) ? "a stability of " + figure(q_.needed) + " N can be neither proven nor refuted"
+                   : "the stability is " + figure(z_) + " N, less than " + figure(q_.needed) + " N";
     return fails(environment, fingers, what + at(environment, fingers));
   }
   Coefficients worst_sticking(const Intervals& all) override { return lower_ends(all); }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mechanics/stability/control.hpp"
+#include "text.hpp"
 
 namespace graspless::mechanics {
 namespace {
@@ -18,7 +19,7 @@ void validate_interval(const FrictionInterval& interval, const std::string& what
   if (lower >= 0 && lower <= upper && upper <= kMaxFriction) return;
   throw std::invalid_argument(what +
                               " must be an interval with 0 <= lower <= upper <= 10000, not " +
-                              std::to_string(lower) + " to " + std::to_string(upper));
+                              figure(lower) + " to " + figure(upper));
 }
 
 void validate_surfaces(const Surfaces& surfaces, std::size_t num_contacts) {
@@ -65,7 +66,7 @@ void validate(const FrictionQuery& q) {
   validate_interval(q.fingers, "fingers");
   if (!(q.needed >= 0) || !std::isfinite(q.needed)) {
     throw std::invalid_argument("needed must be a stability of 0 N or more, not " +
-                                std::to_string(q.needed));
+                                figure(q.needed));
   }
   validate_directions(q.directions);
 }

@@ -12,6 +12,7 @@
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
 #include "slide/friction/warnings.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 
@@ -68,12 +69,6 @@ bool Examination::has(const std::string& name) const {
 const Segment& Examination::segment(const std::string& name) const {
   return *std::find_if(plan_.segments.begin(), plan_.segments.end(),
                        [&](const Segment& segment) { return segment.name == name; });
-}
-
-std::string Examination::figure(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
 }
 
 bool Examination::has_shape() {

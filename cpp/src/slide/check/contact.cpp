@@ -10,6 +10,7 @@
 #include "graspless/watch.hpp"
 
 #include "slide/check/examination.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 

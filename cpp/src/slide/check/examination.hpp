@@ -71,7 +71,6 @@ class Examination {
   void fault(const Segment& segment, std::size_t row, const std::string& what) {
     fault(segment.name + " row " + std::to_string(row), what);
   }
-  static std::string figure(double value);
   std::vector<std::string> names() const;
   bool has(const std::string& name) const;
   const Segment& segment(const std::string& name) const;

@@ -12,6 +12,7 @@
 #include "geometry/convex_hull.hpp"
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {

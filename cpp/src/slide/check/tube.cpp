@@ -6,6 +6,7 @@
 
 #include "slide/check/examination.hpp"
 #include "slide/friction/course.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {

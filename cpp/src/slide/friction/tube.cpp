@@ -23,7 +23,6 @@ constexpr double kLongStride = 0.03;  // where an estimate is enough
 constexpr double kFiner = 8;          // steps where slip begins or ends
 constexpr double kTurnStride = 10;    // turn of a step, relative to its length [rad/m]
 constexpr int kMostSteps = 1000;      // between two rows
-constexpr std::size_t kWeakest = 1;   // of the worlds
 constexpr double kFelt = 0.05;  // smallest shift of the pressure that matters, over that of the pad
 constexpr double kArmLever = 0.05;  // over which an error of the tip turns the pad [m]
 
@@ -137,7 +136,7 @@ std::vector<World> worlds_of(const Problem& problem, const Options& options,
       (length > 0 ? Eigen::Vector2d(way / length) : Eigen::Vector2d::UnitX());
   const Eigen::Vector2d aside =
       kBothWorst * options.com_spread * Eigen::Vector2d(-ahead.y(), ahead.x());
-  std::vector<World> worlds{{0, com, X_SO}, {1, com, X_SO}};  // the second is kWeakest
+  std::vector<World> worlds{{0, com, X_SO}, {1, com, X_SO}};  // the second has the weakest pad
   const double press = press_force(problem.hand, rows.front().depth, rows.front().tip.pitch);
   const double share = weight(problem) / (weight(problem) + press);
   if (share * aside.norm() > kFelt * problem.hand.pad_width / 4) {

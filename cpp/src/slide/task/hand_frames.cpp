@@ -12,6 +12,7 @@
 
 #include "slide/contact.hpp"
 #include "slide/refusals.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -177,7 +178,7 @@ void check_finger_fits(const Problem& problem, const Options& options) {
     const double least = finger_sink(problem, min_depth, pitch),
                  most = finger_sink(problem, max_depth, pitch);
     const std::string frame = "hand.fingertip '" + problem.hand.fingertip + "': at pitch " +
-                              std::to_string(pitch) + " rad and depth ";
+                              figure(pitch) + " rad and depth ";
     if (most > allowed) {
       throw std::invalid_argument(frame + in_mm(max_depth) + ", the sliding finger is " +
                                   in_mm(most) + " below the contact, more than " + in_mm(allowed) +

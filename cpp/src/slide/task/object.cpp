@@ -13,6 +13,7 @@
 #include "slide/task/prisms.hpp"
 #include "slide/task/ranges.hpp"
 #include "slide/task/rim.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -49,16 +50,15 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
                 double width) {
   const double spread = quantile(z, 0.95) - quantile(z, 0.05);
   if (spread > kMaxHeightSpread) {
-    throw std::invalid_argument(what +
-                                " is not the top of a thin object: its heights spread over " +
-                                std::to_string(spread) + " m (5th to 95th percentile); at most " +
-                                std::to_string(kMaxHeightSpread) + " m is allowed");
+    throw std::invalid_argument(
+        what + " is not the top of a thin object: its heights spread over " + figure(spread) +
+        " m (5th to 95th percentile); at most " + figure(kMaxHeightSpread) + " m is allowed");
   }
   length(what + " thickness", thickness);
   if (thickness > kMaxSlenderness * width) {
-    throw std::invalid_argument(what + " is not thin: thickness " + std::to_string(thickness) +
-                                " m exceeds three quarters of its width of " +
-                                std::to_string(width) + " m");
+    throw std::invalid_argument(what + " is not thin: thickness " + figure(thickness) +
+                                " m exceeds three quarters of its width of " + figure(width) +
+                                " m");
   }
 }
 
@@ -189,8 +189,8 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
                       (com_O.head<2>().array() <= upper.array()).all() && com_O.z() >= 0 &&
                       com_O.z() <= thickness_;
   if (!within) {
-    throw std::invalid_argument("com (" + std::to_string(com_O.x()) + ", " +
-                                std::to_string(com_O.y()) + ", " + std::to_string(com_O.z()) +
+    throw std::invalid_argument("com (" + figure(com_O.x()) + ", " + figure(com_O.y()) + ", " +
+                                figure(com_O.z()) +
                                 ") must lie within the bounding box of object '" + name_ + "'");
   }
   Object other = *this;
@@ -213,9 +213,8 @@ Object Object::with_heights(const geometry::HeightMap& heights_O) const {
   const std::string what = "object '" + name_ + "' heights";
   geometry::validate(heights_O, what);
   if (heights_O.heights.maxCoeff() > thickness_ + kRoundOff) {
-    throw std::invalid_argument(what + " must be at most the thickness of " +
-                                std::to_string(thickness_) + " m, not " +
-                                std::to_string(heights_O.heights.maxCoeff()) + " m");
+    throw std::invalid_argument(what + " must be at most the thickness of " + figure(thickness_) +
+                                " m, not " + figure(heights_O.heights.maxCoeff()) + " m");
   }
   Object other = *this;
   other.heights_ = heights_O;

@@ -10,6 +10,7 @@
 
 #include "slide/task/prisms.hpp"
 #include "slide/task/ranges.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -59,8 +60,8 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
   const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
   constexpr double kMaxTilt = 1.0471975511965976;
   if (tilt > kMaxTilt) {
-    throw std::invalid_argument("support is tilted by " + std::to_string(tilt) + " rad; at most " +
-                                std::to_string(kMaxTilt) + " rad (60 degrees) is allowed");
+    throw std::invalid_argument("support is tilted by " + figure(tilt) + " rad; at most " +
+                                figure(kMaxTilt) + " rad (60 degrees) is allowed");
   }
 }
 

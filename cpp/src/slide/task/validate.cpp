@@ -10,6 +10,7 @@
 
 #include "slide/contact.hpp"
 #include "slide/task/hand_frames.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t kLeastJoints = 6;  // of an arm that reaches any pose in some region
 
 void require(bool holds, const std::string& field, double value, const std::string& must) {
-  if (!holds) throw std::invalid_argument(field + " " + must + ", not " + std::to_string(value));
+  if (!holds) throw std::invalid_argument(field + " " + must + ", not " + figure(value));
 }
 
 /// Requires that the arm moves the frame.
@@ -91,8 +92,8 @@ void check_object_pose(const Problem& problem, const Eigen::Isometry3d& X_WO,
   if (!problem.support.polygon().contains(com_S.head<2>())) {
     const std::string where = field == "X_WO_start" ? "" : field + ": ";
     throw std::invalid_argument(where + "object '" + problem.object.name() +
-                                "' is off the support: its centre of mass (" +
-                                std::to_string(com_S.x()) + ", " + std::to_string(com_S.y()) +
+                                "' is off the support: its centre of mass (" + figure(com_S.x()) +
+                                ", " + figure(com_S.y()) +
                                 ") in the support's frame lies outside the polygon");
   }
 }
@@ -101,10 +102,10 @@ void check_object_pose(const Problem& problem, const Eigen::Isometry3d& X_WO,
 void require_order(const Options& options, const DepthBand& band) {
   if (options.min_depth) {
     require(band.min <= band.max, "options.min_depth", band.min,
-            "must be at most max_depth " + std::to_string(band.max));
+            "must be at most max_depth " + figure(band.max));
   } else {
     require(band.min <= band.max, "options.max_depth", band.max,
-            "must be at least min_depth " + std::to_string(band.min));
+            "must be at least min_depth " + figure(band.min));
   }
 }
 
@@ -115,18 +116,17 @@ void check_depths(const Hand& hand, const Options& options) {
   const std::string model = "hand.finger_model " + planning::name_of(hand.finger_model);
   if (hand.finger_model == FingerModel::impedance) {
     require(band.max < kMaxDepth, "hand.wrist_stiffness", hand.wrist_stiffness,
-            "must be above " + std::to_string(1.5 * hand.press_force / kMaxDepth) +
-                " N/m for hand.press_force " + std::to_string(hand.press_force));
+            "must be above " + figure(1.5 * hand.press_force / kMaxDepth) +
+                " N/m for hand.press_force " + figure(hand.press_force));
   } else if (hand.finger_model == FingerModel::flexure) {
     const double L = hand.flexure_length;
     const double bent =
         std::sin(options.pitch - options.pitch_tolerance) - (band.max + kHeightTolerance) / L;
     require(bent > 0, "options.max_depth", band.max,
-            "would bend a finger with hand.flexure_length " + std::to_string(L) +
-                " flat at this pitch");
+            "would bend a finger with hand.flexure_length " + figure(L) + " flat at this pitch");
   } else {
     require(band.max <= kPadGive, "options.max_depth", band.max,
-            "must be at most " + std::to_string(kPadGive) + " m with " + model +
+            "must be at most " + figure(kPadGive) + " m with " + model +
                 ": a rigid finger would be driven into object and support");
   }
 }
@@ -139,16 +139,15 @@ void check_thickness(const Problem& problem, const Options& options) {
     throw std::invalid_argument("object '" + object.name() +
                                 "' is not thin: a slide takes a thickness of at most three "
                                 "quarters of the width of " +
-                                std::to_string(width) + " m, not " + std::to_string(thickness) +
-                                " m");
+                                figure(width) + " m, not " + figure(thickness) + " m");
   }
   const double most = width / (2 * thickness * (1 + options.friction_spread)),
                friction = problem.support.friction();
   if (friction <= most) return;
-  throw std::invalid_argument("support.friction must be at most " + std::to_string(most) +
-                              " for object '" + object.name() + "', or drag would tip it: it is " +
-                              std::to_string(thickness) + " m thick and " + std::to_string(width) +
-                              " m wide; not " + std::to_string(friction));
+  throw std::invalid_argument("support.friction must be at most " + figure(most) + " for object '" +
+                              object.name() + "', or drag would tip it: it is " +
+                              figure(thickness) + " m thick and " + figure(width) +
+                              " m wide; not " + figure(friction));
 }
 
 }  // namespace

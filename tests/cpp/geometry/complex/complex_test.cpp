@@ -225,6 +225,15 @@ TEST(Filtration, SpanOfAWalkIsThatOfItsClass) {
   EXPECT_EQ(filled.birth, filled.death);
   expect_refused([&] { filtration.span({0, 1, outer / 2}, 0.014); }, "cycle goes from point 1 to");
   expect_refused([&] { filtration.span({0, -1, 2}, 0.014); }, "cycle goes from point 0 to -1");
+  expect_refused([&] { filtration.span({0, 1}, 0.014); }, "cycle must have at least 3 points, not");
+}
+
+TEST(Filtration, RefusesThresholdsWithoutMeaning) {
+  const Filtration filtration(random_cloud(30, 4));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([&] { filtration.complex(0); }, "max_edge_length must be positive, not 0");
+  expect_refused([&] { filtration.complex(nan); }, "max_edge_length must be positive, not nan");
+  expect_refused([&] { filtration.plateaus(0.9); }, "lasting_ratio must be at least 1, not 0.9");
 }
 
 TEST(Filtration, CountsEqualPointsOnce) {

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The graspless authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Numbers in messages. Every room may include this header.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace graspless {
+
+/// A number with so many significant digits. std::to_string() would write 1e-9 as 0.000000.
+inline std::string figure(double value, int digits = 6) {
+  std::ostringstream out;
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
+/// std::to_string() writes all digits of an integer.
+template <typename Integer, typename = std::enable_if_t<std::is_integral_v<Integer>>>
+std::string figure(Integer, int = 0) = delete;
+
+}  // namespace graspless
