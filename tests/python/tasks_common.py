@@ -67,9 +67,11 @@ def run(capsys, *arguments):
     return code, captured.out, captured.err
 
 
-def reread(document, path):
-    """The plan of a document that was written to a file."""
-    path.write_text(json.dumps(document))
+def reread(document, path, change=lambda _: None):
+    """The plan of a document that was written to a file, after a change of that copy alone."""
+    copy = json.loads(json.dumps(document))
+    change(copy)
+    path.write_text(json.dumps(copy))
     return graspless.load_plan(path)
 
 
