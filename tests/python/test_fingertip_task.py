@@ -178,7 +178,7 @@ FAULTS = [
     (
         (SLIDE, "lattice: {goal: {position: [0.051, 0, 0.025]}, lower: [0, 0, 0], upper: [0.1, 0, 0], counts: [11, 1, 1]}"),
         9,
-        r"motion.lattice: .*along x: the goal \(0.051000\) must be one of its values",
+        r"motion.lattice: .*along x: the goal \(0.051\) must be one of its values",
     ),
     (
         (SLIDE, "lattice: {goal: {position: [0, 0, 0.025]}, lower: [0, 0, 0], upper: [0.1, 0, 0], counts: [11, 1, 1]}"),

@@ -243,11 +243,13 @@ void require_configuration(const Robot& robot, const VectorXd& q, const std::str
                                 std::to_string(robot.dof()) + " joints");
   }
   for (int i = 0; i < robot.dof(); ++i) {
+    constexpr int kDigits = 9;  // limits are exceeded by little
     if (q[i] >= robot.lower()[i] - 1e-9 && q[i] <= robot.upper()[i] + 1e-9) continue;
     throw std::invalid_argument(
         field + ": joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
-        figure(q[i]) + ", outside its limits [" + figure(robot.lower()[i]) + ", " +
-        figure(robot.upper()[i]) + "] " + (robot.step_weights()[i] > 1 ? "m" : "rad"));
+        figure(q[i], kDigits) + ", outside its limits [" + figure(robot.lower()[i], kDigits) +
+        ", " + figure(robot.upper()[i], kDigits) + "] " +
+        (robot.step_weights()[i] > 1 ? "m" : "rad"));
   }
 }
 

@@ -16,8 +16,8 @@ TEST(WithPalmCorners, ParallelGripperGetsOneForEachFinger) {
   const Hand given = hand_without_palm();
   expect_refused(
       [&] { validate(given, robot); },
-      "begin hand.fingers.left with {link: palm, point: (0.000000, 0.015000, 0.050000)}, and "
-      "hand.thumb with {link: palm, point: (0.000000, -0.015000, 0.050000)}");
+      "begin hand.fingers.left with {link: palm, point: (0, 0.015, 0.05)}, and "
+      "hand.thumb with {link: palm, point: (0, -0.015, 0.05)}");
   const Hand made = with_palm_corners(given, robot);
   validate(made, robot);
   ASSERT_EQ(made.fingers[0].nodes.size(), 3u);
