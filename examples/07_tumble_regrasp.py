@@ -32,6 +32,6 @@ print(f"cost {plan.cost:.6f}, {plan.regrasps} regrasp, z at least", end=" ")
 print(f"{plan.segments[plan.weakest.segment].stability[plan.weakest.row]:.2f} N")
 for segment in plan.segments:
     for k, finger in enumerate(segment.rows[0].fingers):
-        where = np.round(100 * finger.p_OC, 1) if finger.touches else "on its way"
+        where = f"{np.round(100 * finger.p_OC, 1)} cm" if finger.touches else "on its way"
         force = np.linalg.norm(finger.nominal_force_O)
-        print(f"{segment.name:8} finger {k}: {finger.mode.name:9} {where} cm, {force:.1f} N")
+        print(f"{segment.name:8} finger {k}: {finger.mode.name:9} {where}, {force:.1f} N")
