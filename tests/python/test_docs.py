@@ -193,6 +193,14 @@ def test_blocks_that_do_not_run_are_few_and_say_why(capsys):
         LISTED["main"]()
 
 
+@pytest.mark.parametrize("kind", ["slide", "pinch", "fingertip", "clasp", "carry"])
+def test_every_status_of_a_plan_file_is_documented(kind):
+    page = (ROOT / "docs" / "plan-files.md").read_text().split(f"\n## kind: {kind}\n")[1]
+    told = next(line for line in page.splitlines() if line.startswith("| `status` |"))
+    statuses = getattr(graspless, kind).Status.__members__
+    assert [name for name in statuses if f"`{name}`" not in told] == []
+
+
 def test_quoted_messages_are_those_of_the_sources():
     """The headings of the troubleshooting page are texts that graspless can print."""
     sources = "".join(

@@ -258,4 +258,6 @@ def test_the_engine_itself_writes_a_replay(plan_file, capsys, tmp_path):
 def test_the_documentation_names_every_failure_and_measure(kind):
     page = (Path(__file__).parents[2] / "docs" / "simulate.md").read_text()
     module = simulation_kind(kind)
-    assert [name for name in (*module.FAILURES, *module.MEASURES) if f"`{name}`" not in page] == []
+    names = {**module.FAILURES, **module.MEASURES}
+    names |= getattr(module, "FOLLOWED_FAILURES", {}) | getattr(module, "FOLLOWED_MEASURES", {})
+    assert [name for name in names if f"`{name}`" not in page] == []
