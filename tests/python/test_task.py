@@ -86,6 +86,7 @@ FAULTS = [
         r"obstacles\[0\].triangles\[0\]\[2\]: 4294967298: should be less",
     ),
     ((HOME, "home: no"), 4, r"robot.home: false: .*put text in quotes"),
+    (("name: card", "name: 1e3"), 6, r"object.name: 1000.0: .*put text .*in quotes"),
     (("0.004", "yes"), 8, r"object.thickness: true: should be a valid number"),
     (("0.004", "-0.004"), 8, r"object.thickness: -0.004: should be greater than 0"),
     ((CARD, "polygon: [[0, 0], [0.1, 0]]"), 7, r"object.polygon: .*at least 3 items"),

@@ -157,6 +157,8 @@ def _advice(kind: str, value: Any) -> str:
     """Returns what to write instead of a value of another type."""
     if kind == "string_type" and isinstance(value, bool):
         return "; YAML reads yes, no, on and off as true or false: put text in quotes"
+    if kind == "string_type" and isinstance(value, (int, float)):
+        return "; put text that looks like a number, such as 1e3, in quotes"
     if kind in ("list_type", "model_type", "dict_type") and _is_quoted(value):
         return ", without quotes"
     if kind in ("float_parsing", "float_type", "int_parsing", "int_type"):
