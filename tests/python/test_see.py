@@ -196,20 +196,26 @@ def test_bad_files_are_refused(folder, capsys):
         return capsys.readouterr().err
 
     np.savez(folder / "a.npz", depth=np.ones((480, 640)), K=np.eye(3))
-    assert "a.npz: must have the arrays X_WC" in refused(folder / "a.npz")
+    said = refused(folder / "a.npz")
+    assert said.endswith("a.npz: must have the arrays X_WC; it has depth, K\n")
     np.savez(folder / "b.npz", K=np.eye(3), X_WC=np.eye(4))
-    assert "b.npz: must have the arrays depth (or frames)" in refused(folder / "b.npz")
+    said = refused(folder / "b.npz")
+    assert "b.npz: must have the arrays depth (or frames); it has K, X_WC; for an organised" in said
     both = {"depth": np.ones((480, 640)), "frames": np.ones((1, 480, 640))}
     np.savez(folder / "e.npz", K=np.eye(3), X_WC=np.eye(4), **both)
     assert "e.npz: has both depth and frames; it must have one" in refused(folder / "e.npz")
     np.savez(folder / "c.npz", depth=np.array([{}]), K=np.eye(3), X_WC=np.eye(4))
     assert "c.npz: cannot be read as arrays" in refused(folder / "c.npz")
+    (folder / "cut.npz").write_bytes((folder / "a.npz").read_bytes()[:-30])
+    assert "as arrays: it is cut off, or no .npz file" in refused(folder / "cut.npz")
     np.savez(folder / "d.npz", depth=np.ones((480, 640)), K=np.eye(3), X_WC=np.eye(4))
     assert "d.npz: K's horizontal principal point" in refused(folder / "d.npz")
     assert "no such file" in refused(folder / "none.npz")
     assert "unknown kind of file" in refused(folder / "scene.yaml")
     said = refused(folder / "frame.npz", "--viewpoint", 0, 0, 1)
     assert said.startswith("--viewpoint: 0 0 1: only for clouds (.ply, .pcd, .xyz); the array X_WC")
+    said = refused(folder / "cloud.npy", "--viewpoint", 0, 0, 1)
+    assert "cloud.npy: unknown kind of file (one of: .npz, .ply, .pcd, .xyz)" in said
     (folder / "cloud.xyz").write_text("0 0 1\n")
     assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
     assert "VIEWPOINT" not in refused(folder / "cloud.xyz")

@@ -34,8 +34,11 @@ def read_arrays(
     Exception
         The file is not valid: numpy and zipfile raise whatever they stumble over.
     """
-    with zipfile.ZipFile(path) as archive:
-        size = sum(entry.file_size for entry in archive.infolist())
+    try:
+        with zipfile.ZipFile(path) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+    except zipfile.BadZipFile:
+        raise ValueError("it is cut off, or no .npz file") from None
     if size > most:
         raise ValueError(f"states {size} bytes; at most {most}")
     with np.load(path, allow_pickle=False) as arrays:

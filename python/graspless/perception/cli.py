@@ -82,8 +82,8 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
-    _require_cloud(options)
     views = [read_view(Path(path), options.viewpoint) for path in options.files]
+    _require_cloud(options)
     for path, given in zip(options.files, views, strict=True):
         warn_of_camera(given, path)
     try:
@@ -151,6 +151,7 @@ def read_view(path: Path, viewpoint: list[float] | None) -> View:
 
 def _view_of_arrays(path: Path) -> View:
     from .._core.perception import View
+    from ..tasks.source import shorten
     from .arrays import read_arrays
     from .clouds import average
 
@@ -158,13 +159,16 @@ def _view_of_arrays(path: Path) -> View:
         found = read_arrays(path, MOST, wanted=("depth", "frames", "K", "X_WC"))
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
-    missing = [name for name in ("K", "X_WC") if name not in found]
+    missing, hint = [name for name in ("K", "X_WC") if name not in found], ""
     if "depth" in found and "frames" in found:
         raise ValueError("has both depth and frames; it must have one of them")
     if "depth" not in found and "frames" not in found:
         missing.insert(0, "depth (or frames)")
+        hint = "; for an organised cloud use perception.view_of_organized, see docs/howto/camera.md"
     if missing:
-        raise ValueError(f"must have the arrays {', '.join(missing)}")
+        with np.load(path) as arrays:
+            has = shorten(", ".join(arrays.files) or "none")
+        raise ValueError(f"must have the arrays {', '.join(missing)}; it has {has}{hint}")
     for name, array in found.items():
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{name} has values of type {array.dtype}, not numbers")
