@@ -104,6 +104,16 @@ def write(path: str | Path, content: str | bytes) -> None:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
+def make_folder(path: Path) -> None:
+    """Makes a folder and its parents; raises TaskError."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except FileExistsError:
+        raise TaskError(f"{path}: cannot be written: is a file, not a folder") from None
+    except OSError as error:
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
 def set_aside(path: Path) -> Path:
     """Renames a file, whose place another one takes, to its name with ~; raises TaskError."""
     try:

@@ -481,7 +481,7 @@ def test_a_plan_that_cannot_be_written_ends_the_batch(tasks, tmp_path, capsys):
     output.mkdir()
     (output / "a").write_text("a file where a folder is wanted")
     code, _, err = run(capsys, "batch", str(folder), "-o", str(output))
-    assert (code, err) == (2, f"{output / 'a'}: cannot be written: File exists\n")
+    assert (code, err) == (2, f"{output / 'a'}: cannot be written: is a file, not a folder\n")
 
 
 def test_json_is_all_that_is_printed(here, tasks, tmp_path, capsys):

@@ -107,6 +107,9 @@ def test_the_users_own_file_is_not_replaced(tmp_path, capsys, monkeypatch):
     assert "--output: .: would replace mine.urdf; choose another folder" in capsys.readouterr().err
     assert mine.read_text() == small.gripper()
     assert [path.name for path in tmp_path.iterdir()] == ["mine.urdf"]
+    (tmp_path / "p.csv").write_text("")
+    assert cli.main(["robot", "inspect", "mine.urdf", "-o", "p.csv"]) == 2
+    assert "p.csv: cannot be written: is a file, not a folder" in capsys.readouterr().err
 
 
 def test_visual_meshes_of_unknown_packages_keep_their_names():

@@ -142,6 +142,12 @@ def refused(folder, given):
     return str(error.value)
 
 
+def test_the_only_urdf_of_a_folder_is_suggested(folder):
+    said = refused(folder, {"urdf": "my_arm/urdf"})
+    assert said.endswith("is a folder, not a file; did you mean my_arm/urdf/arm.urdf?")
+    assert refused(folder, {"urdf": "my_arm"}).endswith("is a folder, not a file")
+
+
 def test_packages_are_found_beside_the_urdf(folder):
     with pytest.warns(UserWarning, match="joint 'fix' is of type 'floating'; treated as fixed"):
         arm = built(folder, {"urdf": "my_arm/urdf/arm.urdf"})

@@ -140,7 +140,7 @@ class _Run:
         self.patience, self.progress, self.trust = patience, progress, trust
         self.prove = prove
         self.manifest = output / manifest.NAME
-        work.make_folder(output)
+        files.make_folder(output)
         files.check_writable(self.manifest)
         self.before: dict[str, Row] = {}
         self.done: dict[str, Row] = {}

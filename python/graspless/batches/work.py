@@ -196,18 +196,10 @@ def write(output: Path, row: Row, plan: str) -> None:
     from ..plan_files import keep_solved
 
     path = output / row["plan"]
-    make_folder(path.parent)
+    files.make_folder(path.parent)
     if row["status"] != "solved":
         keep_solved(path)
     files.write(path, plan)
-
-
-def make_folder(path: Path) -> None:
-    """Makes a folder and its parents; raises TaskError."""
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def sweep(output: Path) -> None:

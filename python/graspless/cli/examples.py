@@ -8,7 +8,7 @@ import re
 import shutil
 from pathlib import Path
 
-from .. import _api, _data, progress, report, view
+from .. import _api, _data, files, progress, report, view
 from .._load import load_task
 from ..errors import TaskError, one_of
 from ..kinds import KINDS
@@ -70,8 +70,8 @@ def run(name: str | None, directory: Path | None = None) -> bool:
 
 def _copy(source: Path, directory: Path) -> Path:
     """Copies a task, and the data files of the same name, into a folder of the user."""
+    files.make_folder(directory)
     try:
-        directory.mkdir(parents=True, exist_ok=True)
         for path in source.parent.glob(f"{source.stem}.*"):
             if path.suffix != ".py":
                 shutil.copy(path, directory / path.name)

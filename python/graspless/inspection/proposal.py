@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import yaml
 
 from .. import files
-from ..errors import TaskError
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -149,10 +148,7 @@ class Proposal:
             A file cannot be written.
         """
         made, texts = Path(folder), self.files()
-        try:
-            made.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise TaskError(f"{folder}: cannot be made: {error.strerror}") from None
+        files.make_folder(made)
         for name, text in texts.items():
             files.write(made / name, text)
         return [made / name for name in texts]

@@ -119,7 +119,9 @@ def find_urdf(name: str, field: str, place: Location, source: Source, directory:
         with at(source, *place), uncounted():  # it may download
             return described(name)
     if path.is_dir():
-        raise source.error(place, absence(path))
+        inside = list(path.glob("*.urdf"))
+        hint = f"; did you mean {Path(name, inside[0].name)}?" if len(inside) == 1 else ""
+        raise source.error(place, f"{absence(path)}{hint}")
     names = _data.robots()
     what = f"no such file, nor a robot that comes with graspless{one_of(name, names)}"
     raise source.error(place, what)
