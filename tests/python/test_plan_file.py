@@ -249,6 +249,25 @@ def test_no_plan_at_all(tmp_path):
         graspless.load_plan(path)
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ('"format": 1', '"format": 1, "s\\u0065ed": 2', "seed"),
+        ('"thickness"', '"name": "card", "name": "card", "thickness"', "task.object.name"),
+        ('"name": "press"', '"name": "press", "name": "press"', r"segments\[1\].name"),
+        (
+            '"X_WO_goal"',
+            '"segments": [{"name": "a"}, {"name": "b", "name": "b"}], "X_WO_goal"',
+            "segments",
+        ),
+    ],
+)
+def test_field_that_a_plan_names_twice(plan, tmp_path, old, new, place):
+    (tmp_path / "plan.json").write_text(changed(old, new, plan.to_json()))
+    with pytest.raises(TaskError, match=f"plan.json: {place}: given twice$"):
+        graspless.load_plan(tmp_path / "plan.json")
+
+
 def test_plan_with_a_mesh_stands_alone_beside_it(tmp_path):
     import trimesh
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,10 +18,11 @@ from ..errors import TaskError, told
 from ..kinds import plan_type, require_motion
 from ..tasks.kind import task_kind
 from ..tasks.reading import parse_yaml, read_text
-from ..tasks.source import MOST_DIGITS, Source
+from ..tasks.source import MOST_DIGITS, Source, dotted
 
 if TYPE_CHECKING:
     from .._plan import Plan
+    from ..tasks.source import Location
 
 
 def load_plan(path: str | Path) -> Plan:
@@ -117,7 +119,37 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
         raise TaskError(f"{file}: not a plan file: has no 'format'")
     if data["format"] != 1:
         raise Source(file, data).error(("format",), "this graspless reads format 1")
+    _require_once(text, file)
     return data
+
+
+def _require_once(text: str, file: str) -> None:
+    """Raises TaskError if a mapping names a field twice, of which `from_json` keeps the last."""
+    twice: list[tuple[dict[str, Any], str]] = []
+
+    def build(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        built = dict(pairs)
+        if len(built) < len(pairs):
+            counts = Counter(name for name, _ in pairs)
+            twice.append((built, counts.most_common(1)[0][0]))
+        return built
+
+    data = json.loads(text, object_pairs_hook=build, parse_float=str, parse_int=str)
+    if twice:  # the last one found is in no other
+        mapping, name = twice[-1]
+        raise TaskError(f"{file}: {dotted((*_place_of(mapping, data), name))}given twice")
+
+
+def _place_of(wanted: dict[str, Any], data: Any) -> Location:
+    """Returns the place of a mapping in a document that contains it."""
+    pending: list[tuple[Location, Any]] = [((), data)]
+    while True:
+        place, value = pending.pop()
+        if value is wanted:
+            return place
+        if isinstance(value, (dict, list)):
+            items = value.items() if isinstance(value, dict) else enumerate(value)
+            pending += [((*place, key), item) for key, item in items]
 
 
 def _loaded(text: str) -> Any:
