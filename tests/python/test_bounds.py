@@ -38,6 +38,7 @@ MERGES = "kind: slide\na0: &a0 {k: 1}\n" + "".join(
         (("0.004", "0x" + "f" * 5000), "8: object.thickness: a whole number: should have at most 40"),
         (("0.004", "1:" * 5000 + "1"), "8: object.thickness: a whole number: should have at most 40"),
         (("0.004", "1e300"), "8: object.thickness: 1e+300: should lie in [-1e+30, 1e+30]"),
+        (("yaw: 0.3", "yaw: 1e16"), "9: object.pose.yaw: 1e+16: should lie in [-1e+06, 1e+06] rad"),
         (("yaw: 0.3", "yaw: -1e31"), "9: object.pose.yaw: -1e+31: should lie in [-1e+30, 1e+30]"),
         (("wam_t42", "a" * 5000), "File name too long"),
     ],

@@ -252,6 +252,10 @@ def test_warnings_point_at_the_line_that_called(write, tmp_path):
             ("yaw: 0.3", "yaw: 90"),
             ":9: object.pose.yaw: 90: is more than a turn; angles are in rad",
         ),
+        (
+            ("budget:", "end: {x: 0.7, y: 0, yaw: 90}\nbudget:"),
+            ":13: end.yaw: 90: is more than a turn",
+        ),
         (("height: 0.0", "pose: {rpy: [0, 0, 360]}"), r"support.pose.rpy\[2\]: 360: is more than"),
     ],
 )

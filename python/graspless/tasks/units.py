@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .shapes import Pose
     from .source import Location, Source
 
+WIDEST = 1e6  # of an angle: rounding takes the meaning of larger ones [rad]
 FARTHEST = 2.0  # of a gripper from the link that carries it [m]
 
 
@@ -28,6 +29,8 @@ def warn_of_pose(
 
 
 def warn_of_angle(angle: float, location: Location, source: Source) -> None:
-    """Warns of an angle that looks like degrees."""
+    """Warns of an angle that looks like degrees; raises TaskError if it means nothing."""
+    if abs(angle) > WIDEST:
+        raise source.error(location, f"should lie in [-{WIDEST:g}, {WIDEST:g}] rad")
     if abs(angle) > 2 * math.pi:
         source.warn(location, "is more than a turn; angles are in radians")

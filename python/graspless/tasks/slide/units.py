@@ -29,8 +29,10 @@ def warn_of_units(task: model.OnSupport, source: Source) -> None:
                 what = f"is {size[0]:.4g} x {size[1]:.4g} m; lengths are in metres"
                 source.warn((section, field), what)
     warn_of_pose(task.support.pose, ("support", "pose"), source)
-    if task.object.pose is not None:
-        warn_of_angle(task.object.pose.yaw, ("object", "pose", "yaw"), source)
+    end = getattr(task, "end", None)  # of a slide
+    for place, pose in ((("object", "pose"), task.object.pose), (("end",), end)):
+        if pose is not None:
+            warn_of_angle(pose.yaw, (*place, "yaw"), source)
 
 
 def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[float, float]]]:
