@@ -14,6 +14,7 @@ import pytest
 
 from graspless import TaskError, cli, robot
 from graspless.cli.robot_inspect import require_used
+from graspless.errors import install_command
 from graspless.tasks import robots
 from graspless.tasks.robot_files import resolve_robot
 from graspless.tasks.robots import Robot, build_robot, require_text
@@ -391,7 +392,7 @@ def test_names_need_the_extra(folder, monkeypatch):
     monkeypatch.setitem(sys.modules, "robot_descriptions", None)
     said = refused(folder, {"name": "panda_description"})
     assert "needs robot_descriptions for robots by name: " in said
-    assert "[robots]" in said
+    assert install_command("robots") in said
 
 
 @pytest.mark.parametrize(
