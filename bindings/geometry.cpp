@@ -352,8 +352,8 @@ void bind_complex(py::module_& m) {
       .def_property_readonly("num_vertices", &Filtration::num_vertices,
                              "Number of distinct points.")
       .def("complex", &Filtration::complex, py::arg("max_edge_length"),
-           "Returns K_d for d = max_edge_length [m].\n\nRaises ValueError unless it is "
-           "positive.")
+           "Returns K_d for d = max_edge_length [m].\n\nRaises ValueError if it is "
+           "negative.")
       .def(
           "persistence",
           [](const Filtration& self) {

@@ -75,9 +75,7 @@ class Convex:
         """
 class Mesh:
     """
-    A triangle surface. Only the surface collides, so a body wholly inside does not touch it.
-    
-    A closed convex mesh is the exception: it collides as a solid.
+    A triangle surface. One that is closed bounds a solid: what is wholly inside touches it. Of any other, only the surface collides.
     """
     def __init__(self, vertices: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], triangles: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
@@ -344,6 +342,8 @@ class Filtration:
     def complex(self, max_edge_length: typing.SupportsFloat | typing.SupportsIndex) -> Complex:
         """
         Returns K_d for d = max_edge_length [m].
+        
+        Raises ValueError if it is negative.
         """
     def persistence(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
         """
@@ -356,6 +356,8 @@ class Filtration:
         Plateaus of the Betti curve with at least one lasting loop, largest ratio first.
         
         lasting_ratio: smallest ratio death / birth of a lasting loop; 1 counts every loop.
+        
+        Raises ValueError if it is less than 1.
         """
     def span(self, cycle: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], max_edge_length: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float]:
         """
@@ -376,7 +378,7 @@ class Filtration:
         Raises
         ------
         ValueError
-            If a step of the walk is not an edge of K_d.
+            If a step of the walk is not an edge of K_d, or if it has fewer than 3.
         """
     @property
     def num_vertices(self) -> int:

@@ -67,7 +67,7 @@ class GRASPLESS_API Filtration {
   const Eigen::Matrix3Xd& points() const;
   /// Number of distinct points.
   int num_vertices() const;
-  /// Returns K_d for d = max_edge_length [m]. Throws std::invalid_argument unless it is positive.
+  /// Returns K_d for d = max_edge_length [m]. Throws std::invalid_argument if it is negative.
   Complex complex(double max_edge_length) const;
   /// Persistence pairs of H_1 over Z_2, largest ratio death / birth first. Omits pairs that die at
   /// birth.

@@ -155,7 +155,7 @@ const Eigen::Matrix3Xd& Filtration::points() const { return data_->points; }
 int Filtration::num_vertices() const { return data_->simplices.num_vertices; }
 
 Complex Filtration::complex(double max_edge_length) const {
-  require(max_edge_length > 0, "max_edge_length must be positive", max_edge_length);
+  require(max_edge_length >= 0, "max_edge_length must not be negative", max_edge_length);
   const Simplices& all = data_->simplices;
   Complex result;
   result.points = data_->points;

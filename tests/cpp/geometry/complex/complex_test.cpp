@@ -231,8 +231,8 @@ TEST(Filtration, SpanOfAWalkIsThatOfItsClass) {
 TEST(Filtration, RefusesThresholdsWithoutMeaning) {
   const Filtration filtration(random_cloud(30, 4));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([&] { filtration.complex(0); }, "max_edge_length must be positive, not 0");
-  expect_refused([&] { filtration.complex(nan); }, "max_edge_length must be positive, not nan");
+  expect_refused([&] { filtration.complex(-1); }, "max_edge_length must not be negative, not -1");
+  expect_refused([&] { filtration.complex(nan); }, "max_edge_length must not be negative, not nan");
   expect_refused([&] { filtration.plateaus(0.9); }, "lasting_ratio must be at least 1, not 0.9");
 }
 
