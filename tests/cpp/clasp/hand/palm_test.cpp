@@ -14,10 +14,9 @@ namespace {
 TEST(WithPalmCorners, ParallelGripperGetsOneForEachFinger) {
   const robot::Robot robot = parallel_gripper();
   const Hand given = hand_without_palm();
-  expect_refused(
-      [&] { validate(given, robot); },
-      "begin hand.fingers.left with {link: palm, point: (0, 0.015, 0.05)}, and "
-      "hand.thumb with {link: palm, point: (0, -0.015, 0.05)}");
+  expect_refused([&] { validate(given, robot); },
+                 "begin hand.fingers.left with {link: palm, point: (0, 0.015, 0.05)}, and "
+                 "hand.thumb with {link: palm, point: (0, -0.015, 0.05)}");
   const Hand made = with_palm_corners(given, robot);
   validate(made, robot);
   ASSERT_EQ(made.fingers[0].nodes.size(), 3u);
