@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "pinch/check_contacts.hpp"
 #include "text.hpp"

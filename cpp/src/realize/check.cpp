@@ -3,7 +3,6 @@
 // check() of a realization: the shape of it, joints, and what each stretch has to be.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "realize/examination.hpp"
 #include "realize/validate.hpp"

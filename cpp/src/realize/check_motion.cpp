@@ -4,10 +4,10 @@
 // check() of a realization: the object on its path, fingertips at their places, nothing touching.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "realize/examination.hpp"
 #include "scene/rows.hpp"
+#include "text.hpp"
 
 namespace graspless::realize {
 namespace {
@@ -28,11 +28,7 @@ double fraction(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB,
   return length > 0 ? part.translation().norm() / length : 0;
 }
 
-std::string millimetres(double distance) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g mm", 1e3 * distance);
-  return text;
-}
+std::string millimetres(double distance) { return figure(1e3 * distance, 3) + " mm"; }
 
 std::string finger_name(std::size_t finger) { return "finger " + std::to_string(finger); }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reasons why a configuration will not do, and what to change.
 #include <algorithm>
-#include <cstdio>
 
 #include "realize/hand.hpp"
+#include "text.hpp"
 
 namespace graspless::realize {
 
@@ -24,11 +24,9 @@ std::string describe_collision(Hand& hand, const Eigen::VectorXd& q) {
 
 std::string describe_miss(Hand& hand, const TipTargets& targets, const Eigen::VectorXd& q) {
   const auto [distance, finger] = hand.ik.miss(targets, q);
-  char figure[32];
-  std::snprintf(figure, sizeof figure, "%.3g mm", 1e3 * distance);
   return "fingertip '" + hand.ik.fingertip(finger) + "' misses the place of finger " +
-         std::to_string(finger) + " by " + figure +
-         ": nearer to the robot, or turned about the vertical, the object may be in reach";
+         std::to_string(finger) + " by " + figure(1e3 * distance, 3) +
+         " mm: nearer to the robot, or turned about the vertical, the object may be in reach";
 }
 
 }  // namespace graspless::realize

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fingertip plans, the best one first, until the robot carries one out well.
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 

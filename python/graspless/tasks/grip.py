@@ -44,11 +44,11 @@ def forces(
     gap : callable
         Distance between the ends of both fingers at a configuration [m].
     """
-    found = {}
+    found, start = {}, gap(half)
     for name in joints:
         moved = half.copy()
         moved[robot.joint(name)] += _STEP
-        rate = abs(gap(moved) - gap(half)) / _STEP
+        rate = abs(gap(moved) - start) / _STEP
         if rate > _IDLE:
             found[name] = float(robot.max_effort[robot.joint(name)]) / rate
     return found

@@ -85,6 +85,7 @@ def mesh_files(urdf: str, packages: dict[str, str], directory: str | None) -> se
 
 @lru_cache(maxsize=8)
 def _mesh_names(urdf: str) -> tuple[str, ...]:
+    """Returns the names of a URDF's meshes; raises ValueError as `mesh_files` does."""
     names: list[str] = []
 
     def start(name: str, attributes: dict[str, str]) -> None:

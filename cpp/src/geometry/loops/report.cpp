@@ -3,7 +3,6 @@
 #include "geometry/loops/report.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "graspless/geometry/sampling.hpp"
 

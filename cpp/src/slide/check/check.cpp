@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "graspless/slide/resume.hpp"
 #include "graspless/watch.hpp"
