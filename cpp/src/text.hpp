@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 
@@ -21,5 +22,10 @@ inline std::string figure(double value, int digits = 6) {
 /// std::to_string() writes all digits of an integer.
 template <typename Integer, typename = std::enable_if_t<std::is_integral_v<Integer>>>
 std::string figure(Integer, int = 0) = delete;
+
+/// Throws std::invalid_argument if a number is not what it must be.
+inline void require(bool holds, const std::string& field, double value, const std::string& must) {
+  if (!holds) throw std::invalid_argument(field + " " + must + ", not " + figure(value));
+}
 
 }  // namespace graspless

@@ -17,17 +17,12 @@ void require_finite(const Eigen::Vector3d& point) {
   if (!point.allFinite()) throw std::invalid_argument("point must be finite");
 }
 
-double checked(double cell) {
-  if (cell > 0 && cell <= geometry::kMaxLength) return cell;
-  throw std::invalid_argument("cell must be in (0, " + figure(geometry::kMaxLength) + "] m, not " +
-                              figure(cell));
-}
-
 }  // namespace
 
 Clearance::Clearance(const geometry::Mesh& mesh, double cell) {
   geometry::validate(mesh, "mesh");
-  checked(cell);
+  require(cell > 0 && cell <= geometry::kMaxLength, "cell", cell,
+          "must be in (0, " + figure(geometry::kMaxLength) + "] m");
   tree_ = std::make_shared<const ClearanceTree>(surface_triangles(mesh));
   cells_ = std::make_unique<ClearanceCells>(tree_, cell);
 }

@@ -4,7 +4,6 @@
 // Validation of problems and options.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -15,13 +14,6 @@
 
 namespace graspless::fingertip {
 namespace {
-
-void require(bool holds, const std::string& field, double value, const std::string& must) {
-  if (holds) return;
-  std::ostringstream text;
-  text << field << " " << must << ", not " << value;
-  throw std::invalid_argument(text.str());
-}
 
 using planning::Range;
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // ForestCBiRRT: OMPL's planner interface except solve().
-#include <stdexcept>
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/tools/config/SelfConfig.h>
@@ -33,15 +32,12 @@ void ForestCBiRRT::set_start_region(std::shared_ptr<const ob::GoalSampleableRegi
 }
 
 void ForestCBiRRT::set_root_scale(double root_scale) {
-  if (!(root_scale > 0)) {
-    throw std::invalid_argument("root_scale must be positive, not " + figure(root_scale));
-  }
+  require(root_scale > 0, "root_scale", root_scale, "must be positive");
   root_scale_ = root_scale;
 }
 
 void ForestCBiRRT::set_range(double range) {
-  if (!(range >= 0))
-    throw std::invalid_argument("range must not be negative, not " + figure(range));
+  require(range >= 0, "range", range, "must not be negative");
   range_ = range;
 }
 

@@ -19,7 +19,7 @@ namespace ob = ompl::base;
 
 namespace {
 
-void require(bool holds, const std::string& what) {
+void require_that(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("TaskSpaceRRT: " + what);
 }
 
@@ -53,7 +53,7 @@ void TaskSpaceRRT::set_targets(std::vector<Eigen::VectorXd> x) {
 }
 
 void TaskSpaceRRT::set_random_probability(double probability) {
-  require(probability >= 0 && probability < 1,
+  require_that(probability >= 0 && probability < 1,
           "random_probability must lie in [0, 1), not " + figure(probability));
   random_probability_ = probability;
 }
@@ -61,41 +61,41 @@ void TaskSpaceRRT::set_random_probability(double probability) {
 void TaskSpaceRRT::set_pre_expansions(int expansions) { set_pre_expansion_schedule({expansions}); }
 
 void TaskSpaceRRT::set_pre_expansion_schedule(std::vector<int> expansions) {
-  require(!expansions.empty(), "pre_expansions must hold at least one number");
+  require_that(!expansions.empty(), "pre_expansions must hold at least one number");
   for (int n : expansions) {
-    require(n >= 0, "pre_expansions must not be negative, not " + std::to_string(n));
+    require_that(n >= 0, "pre_expansions must not be negative, not " + std::to_string(n));
   }
   pre_expansions_ = std::move(expansions);
 }
 
 void TaskSpaceRRT::set_max_iterations(std::int64_t cycles) {
-  require(cycles >= 0, "max_iterations must not be negative, not " + std::to_string(cycles));
+  require_that(cycles >= 0, "max_iterations must not be negative, not " + std::to_string(cycles));
   max_iterations_ = cycles;
 }
 
 void TaskSpaceRRT::set_restart_cycles(int cycles) {
-  require(cycles >= 0, "restart_cycles must not be negative, not " + std::to_string(cycles));
+  require_that(cycles >= 0, "restart_cycles must not be negative, not " + std::to_string(cycles));
   restart_cycles_ = cycles;
 }
 
 void TaskSpaceRRT::set_max_connect_steps(int steps) {
-  require(steps > 0, "max_connect_steps must be positive, not " + std::to_string(steps));
+  require_that(steps > 0, "max_connect_steps must be positive, not " + std::to_string(steps));
   max_connect_steps_ = steps;
 }
 
 // Not in setup(), which SimpleSetup may call before the user has set everything.
 void TaskSpaceRRT::check_setup() const {
-  require(pdef_ != nullptr, "no problem definition set");
-  require(project_ != nullptr, "set_projection() was not called");
-  require(control_ != nullptr, "set_controller() was not called");
-  require(random_task_ != nullptr, "set_random_task() was not called");
-  require(!targets_.empty(), "set_targets() was not called, or was given no target");
-  require(tolerance_ || pdef_->getGoal(),
+  require_that(pdef_ != nullptr, "no problem definition set");
+  require_that(project_ != nullptr, "set_projection() was not called");
+  require_that(control_ != nullptr, "set_controller() was not called");
+  require_that(random_task_ != nullptr, "set_random_task() was not called");
+  require_that(!targets_.empty(), "set_targets() was not called, or was given no target");
+  require_that(tolerance_ || pdef_->getGoal(),
           "needs set_tolerance() or a goal in the problem definition");
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const std::string name = "targets[" + std::to_string(i) + "]";
-    require(targets_[i].allFinite(), name + " is not finite");
-    require(targets_[i].size() == targets_[0].size(),
+    require_that(targets_[i].allFinite(), name + " is not finite");
+    require_that(targets_[i].size() == targets_[0].size(),
             name + " has " + std::to_string(targets_[i].size()) + " coordinates, targets[0] " +
                 std::to_string(targets_[0].size()));
   }
@@ -107,15 +107,15 @@ bool TaskSpaceRRT::read_starts() {
   if (starts_.empty()) return false;
   const Eigen::Index n = targets_[0].size();
   const auto require_size = [&](const std::string& name, Eigen::Index size) {
-    require(size == n, name + " has " + std::to_string(size) + " coordinates, the targets " +
+    require_that(size == n, name + " has " + std::to_string(size) + " coordinates, the targets " +
                            std::to_string(n));
   };
   project_(starts_[0], x_new_);
   require_size("the projection", x_new_.size());
-  require(x_new_.allFinite(), "the projection of the start is not finite");
+  require_that(x_new_.allFinite(), "the projection of the start is not finite");
   if (weights_.size() > 0) {
     require_size("weights", weights_.size());
-    require(weights_.allFinite() && weights_.minCoeff() >= 0,
+    require_that(weights_.allFinite() && weights_.minCoeff() >= 0,
             "weights must be finite and not negative");
   }
   std::mt19937_64 rng(0);  // a generator of its own, so that this check does not change the search

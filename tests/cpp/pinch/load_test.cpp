@@ -82,7 +82,8 @@ TEST(PinchLoad, GravityIsThatOfTheWorld) {
   const Eigen::Isometry3d X = Eigen::Translation3d(0.6, 0, 0) *
                               Eigen::AngleAxisd(0.5, Vector3d::UnitY()) *
                               Eigen::Translation3d(-0.6, 0, 0);
-  leaning.support = slide::Support(level.support.polygon(), X * level.support.X_WS());
+  leaning.support = slide::Support(level.support.polygon(), X * level.support.X_WS(), 0.04, 0.06,
+                                   0.6);  // it would slide off a smoother one
   leaning.X_WO_start = X * level.X_WO_start;
   const Plan found = pinch::plan(leaning, options);
   ASSERT_TRUE(found) << found.reason;

@@ -650,8 +650,9 @@ TEST(Object, RefusesWhatFrictionOfTheSupportWouldTip) {
   Options options;
   options.friction_spread = 0.2;
   EXPECT_NO_THROW(validate(on(.59), options));
-  expect_refused([&] { validate(on(.6), options); },
-                 "support.friction must be at most 0.595238 for object 'loaf'");
+  expect_refused(
+      [&] { validate(on(.6), options); },
+      "support.friction must be at most 0.595238, not 0.6, or drag would tip object 'loaf'");
 }
 
 /// A loaf that is pressed near an end, and pushed towards it, would be pressed down beyond it.

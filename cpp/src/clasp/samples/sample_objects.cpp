@@ -57,9 +57,7 @@ const std::vector<std::string>& sample_object_names() {
 std::vector<geometry::PlacedShape> sample_object(const std::string& name, double scale) {
   constexpr double kMaxScale = 1000;
   const Maker make = maker(name);
-  if (!(scale > 0 && scale <= kMaxScale)) {
-    throw std::invalid_argument("scale must be in (0, 1000], not " + figure(scale));
-  }
+  require(scale > 0 && scale <= kMaxScale, "scale", scale, "must be in (0, 1000]");
   Parts parts = make();
   for (geometry::PlacedShape& part : parts) {
     std::visit(Scaled{scale}, part.shape);

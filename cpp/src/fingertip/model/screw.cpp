@@ -105,9 +105,8 @@ Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point
   if (!(axis_W.allFinite() && axis_W.norm() > 0 && point_W.allFinite())) {
     throw std::invalid_argument("axis_W must be finite and not zero, and point_W finite");
   }
-  if (!(std::abs(angle) > 0 && std::isfinite(angle))) {
-    throw std::invalid_argument("angle must be finite and not zero, not " + figure(angle));
-  }
+  require(std::abs(angle) > 0 && std::isfinite(angle), "angle", angle,
+          "must be finite and not zero");
   if (!(std::abs(angle) <= kMaxTurn * segments)) {
     throw std::invalid_argument("angle " + figure(angle) + " rad: each of the segments (" +
                                 std::to_string(segments) + ") may turn by 3 rad at most");

@@ -44,10 +44,6 @@ void check_span(const Delaunay& delaunay, const Eigen::Matrix3Xd& points, const 
   }
 }
 
-void require(bool holds, const char* what, double value) {
-  if (!holds) throw std::invalid_argument(std::string(what) + ", not " + figure(value));
-}
-
 Simplices triangulated(const Eigen::Matrix3Xd& points, const std::string& what) {
   require_points(points, what);
   const Delaunay triangulation = delaunay(points);
@@ -155,7 +151,7 @@ const Eigen::Matrix3Xd& Filtration::points() const { return data_->points; }
 int Filtration::num_vertices() const { return data_->simplices.num_vertices; }
 
 Complex Filtration::complex(double max_edge_length) const {
-  require(max_edge_length >= 0, "max_edge_length must not be negative", max_edge_length);
+  require(max_edge_length >= 0, "max_edge_length", max_edge_length, "must not be negative");
   const Simplices& all = data_->simplices;
   Complex result;
   result.points = data_->points;
@@ -217,7 +213,7 @@ double Filtration::jump(const PersistencePair& pair) const {
 const BettiCurve& Filtration::betti() const { return data_->curve(); }
 
 std::vector<Plateau> Filtration::plateaus(double lasting_ratio) const {
-  require(lasting_ratio >= 1, "lasting_ratio must be at least 1", lasting_ratio);
+  require(lasting_ratio >= 1, "lasting_ratio", lasting_ratio, "must be at least 1");
   return geometry::plateaus(persistence(), lasting_ratio);
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLeastCell = 1e-4;  // [m]
 constexpr Eigen::Index kMostCells = 1000000;
+constexpr double kMostLevels = 1e9;
 
 /// Number of steps that a height takes, rounded up.
 int level_of(double height, double step) {
@@ -98,9 +99,10 @@ void validate(const HeightMap& map, const std::string& field) {
 }
 
 std::vector<PlacedShape> columns(const HeightMap& map, double step) {
-  if (!(step >= kMinLength && std::isfinite(step)))
-    throw std::invalid_argument("step must be at least 1e-6 m, not " + figure(step));
+  require(step >= kMinLength && std::isfinite(step), "step", step, "must be at least 1e-6 m");
   const double highest = map.heights.maxCoeff();
+  require(highest <= kMostLevels * step, "step", step,
+          "must be at least a billionth of the greatest height, " + figure(highest) + " m");
   Rectangles rectangles(
       map.heights.unaryExpr([&](double height) { return level_of(height, step); }));
   std::vector<PlacedShape> boxes;

@@ -97,7 +97,7 @@ class Passed {
 HeightMap empty_map(const Eigen::Matrix3Xd& points, const Polygon& outline, double top,
                     double cell) {
   if (!points.allFinite()) throw std::invalid_argument("points must be finite");
-  if (!(cell > 0)) throw std::invalid_argument("cell must be positive, not " + figure(cell));
+  require(cell > 0, "cell", cell, "must be positive");
   const Eigen::Matrix2Xd& ring = outline.vertices();
   Vector2d low = ring.rowwise().minCoeff(), high = ring.rowwise().maxCoeff();
   if (points.cols() > 0) {

@@ -245,20 +245,15 @@ void choose_complex(const Filtration& filtration, Loops& result) {
 }  // namespace
 
 void validate(const LoopOptions& options) {
-  const auto require = [](bool holds, const std::string& name, double value,
-                          const std::string& must) {
-    if (holds) return;
-    throw std::invalid_argument(name + " must be " + must + ", not " + figure(value, 3));
-  };
   require(options.max_edge_length >= 0 && options.max_edge_length <= kMaxLength, "max_edge_length",
           options.max_edge_length,
-          "in [0, " + figure(kMaxLength, 3) + "] m (0: each hole has its own)");
+          "must be in [0, " + figure(kMaxLength) + "] m (0: each hole has its own)");
   require(options.min_ratio > 1 && std::isfinite(options.min_ratio), "min_ratio", options.min_ratio,
-          "greater than 1 and finite");
+          "must be greater than 1 and finite");
   require(options.max_points >= 100 && options.max_points <= 1000000, "max_points",
-          options.max_points, "in [100, 1000000]");
+          options.max_points, "must be in [100, 1000000]");
   require(options.threads >= 1 && options.threads <= 256, "threads", options.threads,
-          "in [1, 256]");
+          "must be in [1, 256]");
 }
 
 Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,

@@ -85,9 +85,7 @@ void require_one_piece(const AlphaShapes& shapes, double gap, const std::string&
 }  // namespace
 
 Eigen::Matrix2Xd sample_grid(const Polygon& polygon, double spacing) {
-  if (!(spacing > 0)) {
-    throw std::invalid_argument("spacing must be positive, not " + figure(spacing));
-  }
+  require(spacing > 0, "spacing", spacing, "must be positive");
   const Eigen::Vector2d lower = polygon.vertices().rowwise().minCoeff();
   const Eigen::Vector2d upper = polygon.vertices().rowwise().maxCoeff();
   const double points = ((upper - lower) / spacing).cwiseMax(1).prod();

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/shape.hpp"
@@ -26,13 +25,6 @@ std::string text(const Eigen::Vector3d& v) {
   std::ostringstream out;
   out << "(" << clean(v.x()) << ", " << clean(v.y()) << ", " << clean(v.z()) << ")";
   return out.str();
-}
-
-void require(bool holds, const std::string& field, double value, const std::string& must) {
-  if (holds) return;
-  std::ostringstream text;
-  text << field << " " << must << ", not " << value;
-  throw std::invalid_argument(text.str());
 }
 
 void validate_plane(const Plane& plane, const std::string& what) {

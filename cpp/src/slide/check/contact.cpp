@@ -120,14 +120,14 @@ void Examination::check_still(const Segment& segment, std::size_t row, const Fin
 
 /// The fingertip must be clear of the object where the press begins and where the lift ends.
 void Examination::check_clearance() {
-  std::vector<Eigen::VectorXd> lifted{segment("lift").positions.back()};
-  if (has("press")) lifted.push_back(segment("press").positions.front());
-  for (const Eigen::VectorXd& q : lifted) {
-    const double clear = -finger(q).depth;
-    if (clear < options_.lift_height - 1e-4) {
-      fault("press or lift", "the fingertip is only " + figure(clear) + " m above the object");
-    }
-  }
+  const auto check_clear = [this](const Segment& segment, std::size_t row) {
+    const double clear = -finger(segment.positions[row]).depth;
+    if (clear < options_.lift_height - 1e-4)
+      fault(segment, row, "the fingertip is only " + figure(clear) + " m above the object");
+  };
+  const Segment& lift = segment("lift");
+  check_clear(lift, lift.positions.size() - 1);
+  if (has("press")) check_clear(segment("press"), 0);
 }
 
 /// options.rim_margin, or less for a small object.

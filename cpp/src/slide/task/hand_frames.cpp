@@ -61,8 +61,8 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
   return sum / count;
 }
 
-void require(bool holds, const std::string& field, const std::string& frame,
-             const std::string& must) {
+void require_frame(bool holds, const std::string& field, const std::string& frame,
+                   const std::string& must) {
   if (holds) return;
   throw std::invalid_argument("hand." + field + " '" + frame + "': " + must +
                               " (judged by the collision shapes of the open hand)");
@@ -209,15 +209,15 @@ void check_hand_frames(const Problem& problem) {
                                    "hand.fingers, besides those of hand.sliding_finger,");
   const Vector3d across = (other - finger).normalized();
 
-  require(X_WF.linear().col(2).dot(X_WF.translation() - finger) > 0, "fingertip", hand.fingertip,
-          "its Z axis must point out of the tip");
-  require(X_WF.linear().col(1).dot(across) > kAlong, "fingertip", hand.fingertip,
-          "its Y axis must point towards the other finger");
-  require(X_WH.linear().col(2).dot(X_WH.translation() - (finger + other) / 2) > 0, "grasp_frame",
-          hand.grasp_frame,
-          "its Z axis must point out of the hand, its origin lie between the open tips");
-  require(std::abs(X_WH.linear().col(1).dot(across)) > kAlong, "grasp_frame", hand.grasp_frame,
-          "its Y axis must run from finger to finger");
+  require_frame(X_WF.linear().col(2).dot(X_WF.translation() - finger) > 0, "fingertip",
+                hand.fingertip, "its Z axis must point out of the tip");
+  require_frame(X_WF.linear().col(1).dot(across) > kAlong, "fingertip", hand.fingertip,
+                "its Y axis must point towards the other finger");
+  require_frame(X_WH.linear().col(2).dot(X_WH.translation() - (finger + other) / 2) > 0,
+                "grasp_frame", hand.grasp_frame,
+                "its Z axis must point out of the hand, its origin lie between the open tips");
+  require_frame(std::abs(X_WH.linear().col(1).dot(across)) > kAlong, "grasp_frame",
+                hand.grasp_frame, "its Y axis must run from finger to finger");
 }
 
 }  // namespace graspless::slide

@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kLeastJoints = 6;  // of an arm that reaches any pose in some region
 
-void require(bool holds, const std::string& field, double value, const std::string& must) {
-  if (!holds) throw std::invalid_argument(field + " " + must + ", not " + figure(value));
-}
-
 /// Requires that the arm moves the frame.
 void check_carried(const Hand& hand, const robot::Robot& robot, const std::string& field,
                    const std::string& link) {
@@ -83,7 +79,7 @@ void check_object_pose(const Problem& problem, const Eigen::Isometry3d& X_WO,
   geometry::require_pose(X_WO, field);
   const Eigen::Isometry3d X_SO = problem.support.X_WS().inverse() * X_WO;
   const double height = X_SO.translation().z();
-  const double tilt = std::acos(std::min(1.0, X_SO.linear()(2, 2)));
+  const double tilt = std::acos(std::clamp(X_SO.linear()(2, 2), -1.0, 1.0));
   require(std::abs(height) <= kHeight, field + ": height of the object above the support", height,
           "must be within 2 mm");
   require(tilt <= kTilt, field + ": tilt of the object against the support", tilt,
@@ -144,10 +140,20 @@ void check_thickness(const Problem& problem, const Options& options) {
   const double most = width / (2 * thickness * (1 + options.friction_spread)),
                friction = problem.support.friction();
   if (friction <= most) return;
-  throw std::invalid_argument("support.friction must be at most " + figure(most) + " for object '" +
-                              object.name() + "', or drag would tip it: it is " +
-                              figure(thickness) + " m thick and " + figure(width) +
-                              " m wide; not " + figure(friction));
+  throw std::invalid_argument("support.friction must be at most " + figure(most) + ", not " +
+                              figure(friction) + ", or drag would tip object '" + object.name() +
+                              "', which is " + figure(thickness) + " m thick and " + figure(width) +
+                              " m wide");
+}
+
+/// The object must rest on a tilted support, not slide off by itself.
+void check_slope(const Support& support) {
+  const Eigen::Vector3d normal_W = support.X_WS().linear().col(2);
+  const double slope = normal_W.head<2>().norm() / normal_W.z();
+  if (support.friction() >= slope) return;
+  throw std::invalid_argument("support.friction must be at least " + figure(slope) +
+                              ", the slope of the support, not " + figure(support.friction()) +
+                              ": the object would slide off by itself");
 }
 
 }  // namespace
@@ -159,6 +165,7 @@ void validate(const Problem& problem) {
   robot::require_configuration(problem.robot, problem.q_home, "q_home");
   check_object_pose(problem, problem.X_WO_start, "X_WO_start");
   if (problem.X_WO_end) check_object_pose(problem, *problem.X_WO_end, "X_WO_end");
+  check_slope(problem.support);
   check_obstacles(problem);
 }
 
