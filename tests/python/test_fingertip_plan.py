@@ -12,7 +12,7 @@ import pytest
 
 import graspless
 from fingertip_common import ALONG_WALL, PUSH, TUMBLE, changed
-from graspless import TaskError, fingertip, planning, report
+from graspless import TaskError, fingertip, frames, planning, report
 from graspless.plan_files import read_plan
 from graspless.plan_files.fingertip import FingertipPlanFile
 from graspless.tasks import read_task
@@ -198,6 +198,71 @@ def test_a_wall_of_a_problem_made_in_python_keeps_its_friction(along_wall, tmp_p
     assert document["task"]["walls"][0]["friction"] == [0.2, 0.2]
     assert "friction" not in document["task"]["floor"]
     assert graspless.check(graspless.load_plan(tmp_path / "plan.json")) == []
+
+
+def test_an_interval_of_friction_that_no_plane_uses_is_none():
+    def refused(friction):
+        far = (fingertip.Plane(f"wall {i}", [1, 0, 0], -1.0 - i, (0.45, 0.55)) for i in range(5))
+        block = fingertip.Object.box("block", [0.05, 0.10, 0.05], mass=1.0)
+        problem = fingertip.Problem(
+            object=block,
+            motion=fingertip.slide_path(STANDING, [0.05, 0, 0], 6),
+            fingers=fingertip.Fingers(count=2, radius=0.01, max_normal_force=10, friction=0.7),
+            planes=[fingertip.Plane(friction=(0.45, 0.55)), *far],
+            friction=friction,
+        )
+        options = fingertip.Options(locations_per_side=5)
+        plan = fingertip.plan(problem, options)
+        assert fingertip.check(problem, plan, options) == []
+        return plan.status, plan.cost
+
+    assert refused((0.4, 0.6)) == refused(0.5)
+
+
+STANDING = np.eye(4)
+STANDING[2, 3] = 0.025
+
+
+def lattice(lower, upper, yaws, turn=0.0):
+    """A block that goes straight ahead, and turns, on a lattice with these yaws."""
+    goal = frames.planar(0.04, 0, turn)
+    goal[2, 3] = STANDING[2, 3]
+    return fingertip.Problem(
+        object=fingertip.Object.box("block", [0.05, 0.10, 0.05], mass=1.0),
+        motion=fingertip.Lattice(
+            X_WO_start=STANDING,
+            X_WO_goal=goal,
+            lower=[0, 0, lower],
+            upper=[0.04, 0, upper],
+            counts=(5, 1, yaws),
+        ),
+        fingers=fingertip.Fingers(count=2, radius=0.01, max_normal_force=10, friction=0.7),
+        planes=[fingertip.Plane()],
+        friction=0.5,
+    )
+
+
+def test_yaws_of_a_lattice_may_go_round_more_than_once():
+    options = fingertip.Options(locations_per_side=3, max_regrasps=0)
+    problem = lattice(-0.5, 7.0, 16)  # 6.5 rad is near a whole turn, but not on it
+    plan = fingertip.plan(problem, options)
+    assert plan.status == "solved"
+    assert fingertip.check(problem, plan, options) == []
+
+
+def test_only_plans_that_turn_the_object_warn_of_it():
+    options = fingertip.Options(locations_per_side=5)
+    straight = fingertip.plan(lattice(-0.1, 0.1, 3), options)
+    assert [segment.name for segment in straight.segments] == ["slide"]
+    assert not straight.warnings
+    turned = fingertip.plan(lattice(0.0, 0.1, 3, turn=0.1), options)
+    assert "a face turns about its normal" in turned.warnings[0]
+
+
+def test_check_finds_too_many_regrasps(tumble):
+    options = fingertip.Options(max_regrasps=0)
+    faults = fingertip.check(tumble.task.problem, tumble, options)
+    assert faults == ["plan: has 1 regrasps, options.max_regrasps allows 0"]
 
 
 def test_a_wall_that_is_too_rough_is_named():

@@ -123,9 +123,12 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
     for (std::size_t turn = 0; !plan && !searches.empty() && query.clock.spend(); ++turn) {
       if (turn == patience) variants.add_to(searches, query, plan);
       ClaspSearch& search = *searches[turn % searches.size()];
-      while (!plan && search.cycle()) {                        // IV-D: Algorithm 1
-        std::optional<Clasp> clasp = close_clasp(search);      // IV-D: until contact occurs
-        if (clasp) assemble(search, std::move(*clasp), plan);  // IV-D: path pruning
+      while (!plan && search.cycle()) {                    // IV-D: Algorithm 1
+        std::optional<Clasp> clasp = close_clasp(search);  // IV-D: until contact occurs
+        if (!clasp) continue;
+        Plan whole = plan;
+        clock.conclude([&] { assemble(search, std::move(*clasp), whole); });  // IV-D: path pruning
+        plan = std::move(whole);
       }
     }
   });  // counters and reason stay if the time ends in the middle of a test

@@ -48,6 +48,10 @@ class Assembler {
       displace(stages[i]);
     }
     add_forces();
+    if (!turns_in_plane_) return;
+    plan_.warnings.push_back(
+        "a face turns about its normal while it slides: the friction of its corners understates "
+        "what the whole face resists, so the object may turn less readily than planned");
   }
 
  private:
@@ -137,6 +141,7 @@ class Assembler {
       at.push_back(slots_[static_cast<std::size_t>(i)]);
       if (!modes_.empty()) previous.push_back(modes_[static_cast<std::size_t>(i)]);
     }
+    turns_in_plane_ = turns_in_plane_ || instants_[instant].turns_in_plane;
     contacts_.push_back({contact_set(instants_[instant], locations_, problem_.fingers, at),
                          evaluator_.control_modes(instant, at, previous)});
     const mechanics::ControlModes& best = contacts_.back().best;
@@ -199,6 +204,7 @@ class Assembler {
   Row last_;
   int last_instant_ = -1, last_lifted_ = -1;
   std::vector<int> last_slots_;
+  bool turns_in_plane_ = false;
 };
 
 /// Nominal forces follow the object's turns from row to row. Beyond the first and the last row of a
@@ -260,10 +266,6 @@ void assemble(const std::vector<Stage>& stages, const Locations& locations, Inst
   Assembler(locations, instants, evaluator, plan).run(stages);
   subtract_drift(instants.problem(), plan);
   find_weakest(plan);
-  if (!instants.turns_in_plane()) return;
-  plan.warnings.push_back(
-      "a face turns about its normal while it slides: the friction of its corners understates what "
-      "the whole face resists, so the object may turn less readily than planned");
 }
 
 }  // namespace graspless::fingertip

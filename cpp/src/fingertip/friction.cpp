@@ -124,16 +124,16 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
   return std::nullopt;
 }
 
-Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
-                        const std::function<Plan()>& search) {
-  Plan plan = search();
+void plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
+                        const std::function<Plan()>& search, Plan& plan) {
+  plan = search();
   const int rounds = max_rounds(problem);
-  if (rounds == 0) return plan;
+  if (rounds == 0) return;
   std::vector<double> last;
   for (int round = 0; plan; ++round) {
     const auto failure = find_friction_failure(problem, options, instants, plan);
     if (!failure) break;
-    // Coefficients that can be neither proven nor refuted come again, and teach the search nothing.
+    // Coefficients that can be neither proven nor refuted come again, so the search ends.
     const bool gives_up = round == rounds || failure->verdict.environment == last;
     last = failure->verdict.environment;
     const std::string why = sentence(problem, plan, *failure, gives_up);
@@ -146,7 +146,6 @@ Plan plan_over_friction(const Problem& problem, const Options& options, Instants
     }
     if (plan.status == Status::unstable) plan.reason = why;
   }
-  return plan;
 }
 
 }  // namespace graspless::fingertip

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "fingertip/goal/goal.hpp"
 #include "fingertip/lattice/search.hpp"
@@ -24,10 +25,8 @@ Plan plan_graph(SearchContext& context, const Motion& motion, planning::Clock& c
   const Route route = search(graph, context, clock, plan.statistics);
   plan.lower_bound = route.lower_bound;
   if (route.found) {
-    assemble(stages_of(graph, route), context.locations, context.instants,
-             context.evaluators.front(), plan);
-    plan.status = Status::solved;
-    if (route.is_complete) plan.lower_bound = plan.cost;
+    write_up(stages_of(graph, route), context, clock, plan);
+    if (plan && route.is_complete) plan.lower_bound = plan.cost;
   } else {
     explain_failure(graph, route, clock, plan);
   }
@@ -84,13 +83,29 @@ void count(const SearchContext& context, const planning::Clock& clock, Statistic
   }
 }
 
+void write_up(const std::vector<Stage>& stages, SearchContext& context, planning::Clock& clock,
+              Plan& plan) {
+  Plan whole = plan;
+  const bool has_ended = clock.conclude([&] {
+    assemble(stages, context.locations, context.instants, context.evaluators.front(), whole);
+  });
+  if (!has_ended) {
+    blame_clock(clock, plan);
+    if (plan.status == Status::out_of_time)
+      plan.reason = "a plan was found, but the time was over before it was written up";
+    return;
+  }
+  plan = std::move(whole);
+  plan.status = Status::solved;
+}
+
 Plan solve(const Problem& problem, const Options& options, planning::Clock& clock) {
   Plan refused;
   refused.reason = lack_of_memory(problem, options);
   refused.status = Status::out_of_memory;
   if (!refused.reason.empty()) return refused;
   SearchContext context(problem, options);
-  Plan plan = plan_over_friction(problem, options, context.instants, [&] {
+  const auto search = [&] {
     for (Evaluator& evaluator : context.evaluators) evaluator.forget();
     if (const auto* path = std::get_if<Path>(&problem.motion)) {
       return plan_graph(context, *path, clock);
@@ -99,7 +114,16 @@ Plan solve(const Problem& problem, const Options& options, planning::Clock& cloc
       return plan_goal(context, *goal, clock);
     }
     return plan_graph(context, std::get<Lattice>(problem.motion), clock);
-  });
+  };
+  Plan plan;
+  const bool has_ended =
+      clock.run([&] { plan_over_friction(problem, options, context.instants, search, plan); });
+  if (!has_ended) {  // the bound also holds with friction anywhere in its interval
+    const double lower_bound = plan.lower_bound;
+    plan = Plan();
+    plan.lower_bound = lower_bound;
+    blame_clock(clock, plan);
+  }
   if (plan) plan.reason = summary(plan);
   count(context, clock, plan.statistics);
   return plan;

@@ -91,6 +91,10 @@ std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route);
 void assemble(const std::vector<Stage>& stages, const Locations& locations, Instants& instants,
               Evaluator& evaluator, Plan& plan);
 
+/// Fills a plan from the stages that a search found, if the clock leaves time for it.
+void write_up(const std::vector<Stage>& stages, SearchContext& context, planning::Clock& clock,
+              Plan& plan);
+
 // friction.cpp
 
 /// Place and manner in which a plan fails for a coefficient within the problem's friction
@@ -105,11 +109,12 @@ struct FrictionFailure {
 std::optional<FrictionFailure> find_friction_failure(const Problem& problem, const Options& options,
                                                      Instants& instants, const Plan& plan);
 
-/// Searches until the plan holds for all coefficients in the intervals. Each coefficient that it
-/// fails for is added to those of `instants`, and the search runs anew. If that does not end, the
-/// plan is `unstable`, and its reason says that the search gave up and names the last such
-/// coefficient: a plan may exist. Where friction is known exactly, this is one search.
-Plan plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
-                        const std::function<Plan()>& search);
+/// Searches until the plan holds for all coefficients in the intervals. While a plan is examined,
+/// it is in `plan`. Each coefficient that it fails for is added to those of `instants`, and the
+/// search runs anew. If that does not end, the plan is `unstable`, and its reason says that the
+/// search gave up and names the last such coefficient: a plan may exist. Where friction is known
+/// exactly, this is one search.
+void plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
+                        const std::function<Plan()>& search, Plan& plan);
 
 }  // namespace graspless::fingertip

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{4};
 constexpr std::chrono::milliseconds kGrace{15};  // for loops that ask is_out() and end in order
+constexpr std::chrono::milliseconds kToConclude{40};
 
 // Growth that is not held against a query: free lists of the allocator, other threads' small work.
 constexpr double kUnnoticed = 20e6;  // [bytes]
@@ -48,7 +49,8 @@ void Clock::look() {
 }
 
 void Clock::require() {
-  if (is_out() && (out_of_memory_ || Steady::now() >= *out_since_ + kGrace)) throw Stop{};
+  const auto grace = concludes_ ? kToConclude : kGrace;
+  if (is_out() && (out_of_memory_ || Steady::now() >= *out_since_ + grace)) throw Stop{};
 }
 
 std::string Clock::reason() const {

@@ -72,12 +72,12 @@ void assemble(const Query& query, const Motions& motions, const Slid& slide, Pla
     plan.X_WH_grasp = handling.X_WH;
     plan.overhang = handling.placement.overhang;
   }
-  plan.status = Status::solved;
   plan.X_WO_goal = X_WO_goal;
   plan.tube = slide.tube;
   for (const Warning& warning : warnings(query.problem, slide.pressed)) {
     plan.warnings.push_back(warning.text());
   }
+  plan.status = Status::solved;
 }
 
 void prepend_retreat(const Query& query, const Retreat& retreat, Plan& plan) {

@@ -68,11 +68,13 @@ void solve(Query& query, const Motions& motions, const SlideSearch& search, Plan
   });
   if (status == ob::PlannerStatus::EXACT_SOLUTION) {
     Path slide = planning::to_path(search.problem->getSolutionPath(), query.arm.dof());
-    if (is_detour(slide)) query.is_lag_small(slid_along(query, shortened(query, slide)));
-    assemble(query, motions, query.slid, plan);  // the shortened one, if its lag is small
-  } else {
-    plan.status = status_of(query, *search.planner);
+    query.clock.run([&] {  // the slide is kept as it is where the time ends
+      if (is_detour(slide)) query.is_lag_small(slid_along(query, shortened(query, slide)));
+    });
+    Plan whole = plan;  // of the shortened one, if its lag is small
+    if (query.clock.conclude([&] { assemble(query, motions, query.slid, whole); })) plan = whole;
   }
+  if (!plan) plan.status = status_of(query, *search.planner);
   fill_statistics(*search.planner, query, plan.statistics);
   plan.reason = reason(query, plan);
 }

@@ -54,10 +54,12 @@ TEST(PlanOverFriction, LooksAtEachCoefficientThatAPlanFailsFor) {
   const Options options = five_a_side();
   Instants instants(problem, options);
   int searches = 0;
-  const Plan found = plan_over_friction(problem, options, instants, [&] {
+  Plan found;
+  const auto search = [&] {
     ++searches;
     return planned_at(problem, 0.5);  // never learns
-  });
+  };
+  plan_over_friction(problem, options, instants, search, found);
   EXPECT_EQ(found.status, Status::unstable);
   EXPECT_NE(found.reason.find("the last one found fails at"), std::string::npos) << found.reason;
   EXPECT_GT(searches, 1);

@@ -148,7 +148,9 @@ TEST(PlaneFriction, APlanThatFailsNamesThePlane) {
   EXPECT_LT(
       stability_at(problem, found, options, failure->verdict.environment, failure->verdict.fingers),
       options.min_stability);
-  const Plan none = plan_over_friction(problem, options, instants, [&] { return found; });
+  Plan none;
+  plan_over_friction(
+      problem, options, instants, [&] { return found; }, none);
   EXPECT_NE(none.reason.find("fails at 0.5 (environment), "), std::string::npos) << none.reason;
   EXPECT_NE(none.reason.find(" (plane 'beside') and 0.7 (fingers)"), std::string::npos)
       << none.reason;

@@ -84,8 +84,9 @@ TEST(FingertipValidate, RefusesBadNumbers) {
         p.friction = {0.4, 0.6};
         p.planes.resize(7, p.planes[1]);
         for (Plane& plane : p.planes) plane.friction = p.friction;
+        p.planes[0].friction.reset();  // that of the problem
       },
-      "friction and planes[i].friction must have lower < upper at most 6 times, not 8");
+      "friction and planes[i].friction must have lower < upper at most 6 times, not 7");
   expect_problem_refused([](Problem& p) { p.fingers.count = 5; }, "fingers.count must be 1 to 4");
   expect_problem_refused([](Problem& p) { p.gravity_W.z() = kNan; }, "gravity_W");
   expect_problem_refused([](Problem& p) { p.planes.clear(); }, "planes");

@@ -55,6 +55,17 @@ TEST(Budget, EndsWorkThatOnlyPolls) {
   EXPECT_EQ(clock.reason(), "the time was over before the search could begin or end");
 }
 
+TEST(Budget, GivesMoreTimeToWhatConcludes) {
+  const auto endless = [] {
+    for (;;) poll();
+  };
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget);
+  EXPECT_TRUE(clock.run([&] { EXPECT_FALSE(clock.conclude(endless)); }));  // within a search
+  EXPECT_GE(clock.seconds(), budget.seconds + 0.04);
+}
+
 TEST(Budget, LetsWorkEndInOrderFirst) {
   Budget budget;
   budget.seconds = 0.01;

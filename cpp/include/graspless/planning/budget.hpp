@@ -70,6 +70,17 @@ class GRASPLESS_API Clock {
     return false;
   }
 
+  /// Same for work that writes up what was found, which may take some more milliseconds.
+  template <class Work>
+  bool conclude(const Work& work) {
+    concludes_ = true;
+    const struct Guard {
+      bool& concludes;
+      ~Guard() { concludes = false; }
+    } guard{concludes_};
+    return run(work);
+  }
+
  private:
   using Steady = std::chrono::steady_clock;
   void require();  // throws Stop
@@ -83,6 +94,7 @@ class GRASPLESS_API Clock {
   std::int64_t iterations_ = 0;
   bool interrupted_ = false;
   bool out_of_memory_ = false;
+  bool concludes_ = false;
 };
 
 }  // namespace graspless::planning

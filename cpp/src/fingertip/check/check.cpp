@@ -183,6 +183,10 @@ void Examination::check_cost() {
     fault("plan",
           "says " + std::to_string(plan_.regrasps) + " regrasps, has " + std::to_string(regrasps));
   }
+  if (regrasps > options_.max_regrasps) {
+    fault("plan", "has " + std::to_string(regrasps) + " regrasps, options.max_regrasps allows " +
+                      std::to_string(options_.max_regrasps));
+  }
 }
 
 void Examination::check_weakest() {

@@ -50,14 +50,14 @@ constexpr double kMostLooks = 3000;  // at obstacles, along one arc
 /// True if a point lies on a mesh's surface (to `tolerance` [m]) where the inward normal is n_O.
 bool is_on_surface(const geometry::Mesh& mesh, const Eigen::Vector3d& p_O,
                    const Eigen::Vector3d& n_O, double tolerance) {
-  constexpr double kSameNormal = 1e-6;
+  constexpr double kCosine = 1 - 5e-5;  // 0.01 rad: a face can have triangles that are so far apart
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Eigen::Vector3i corners = mesh.triangles.col(t);
     const Eigen::Vector3d corner[3] = {mesh.vertices.col(corners[0]), mesh.vertices.col(corners[1]),
                                        mesh.vertices.col(corners[2])};
     const Eigen::Vector3d n =
         (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();  // outward
-    if ((n + n_O).norm() > kSameNormal) continue;
+    if (-n.dot(n_O) < kCosine) continue;
     if (distance_to_triangle(p_O, corner, n) <= tolerance) return true;
   }
   return false;

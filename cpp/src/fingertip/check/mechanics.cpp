@@ -42,6 +42,8 @@ mechanics::Surfaces surfaces_of(const Problem& problem, const std::vector<int>& 
     of_plane.push_back(plane.friction ? static_cast<int>(surfaces.friction.size()) : 0);
     if (plane.friction) surfaces.friction.push_back(*plane.friction);
   }
+  if (std::count(of_plane.begin(), of_plane.end(), 0) == 0)  // nothing has the shared friction
+    surfaces.friction.front().upper = surfaces.friction.front().lower;
   for (const int plane : plane_of_contact) {
     surfaces.of_contact.push_back(of_plane[static_cast<std::size_t>(plane)]);
   }

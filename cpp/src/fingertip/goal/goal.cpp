@@ -214,8 +214,8 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
   const double X_regr = context_.options.regrasp_cost;
   Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
   // Then what a route costs says how many regrasps it has.
-  const bool regrasps_rule = candidate.most < X_regr;
-  if (limit <= X_regr && regrasps_rule && needs_regrasp(sequence)) {
+  const bool regrasps_dominate = candidate.most < X_regr;
+  if (limit <= X_regr && regrasps_dominate && needs_regrasp(sequence)) {
     candidate.bound = std::max(candidate.bound, X_regr + candidate.pieces);
     return;
   }
@@ -229,7 +229,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
     if (fault_.empty()) fault_ = error.what();  // contacts that points cannot stand for
     return;
   }
-  const bool needs_one = regrasps_rule && candidate.bound >= X_regr;
+  const bool needs_one = regrasps_dominate && candidate.bound >= X_regr;
   const Route route = search(*graph, context_, clock_, statistics_, limit, needs_one);
   candidate.bound = std::max(candidate.bound, route.lower_bound);
   if (route.is_complete && !route.found) {
@@ -237,7 +237,7 @@ void GoalSearch::look_at(Candidate& candidate, double limit) {
     sequence.failed = true;
     const double regrasps = std::floor(limit / X_regr) * X_regr;
     candidate.bound =
-        std::max({candidate.bound, limit, regrasps_rule ? regrasps + candidate.pieces : 0.0});
+        std::max({candidate.bound, limit, regrasps_dominate ? regrasps + candidate.pieces : 0.0});
   }
   if (!route.found || route.cost >= best_cost_) return;
   best_cost_ = route.cost;
@@ -249,9 +249,10 @@ Plan GoalSearch::plan() {
   plan.statistics = statistics_;
   if (on_floor_) count(*on_floor_, clock_, plan.statistics);
   if (best_cost_ < kInfinity) {
-    plan.status = Status::solved;
-    assemble(best_, context_.locations, context_.instants, context_.evaluators.front(), plan);
-    plan.lower_bound = std::min(lower_bound_, plan.cost);
+    plan.lower_bound = lower_bound_;
+    write_up(best_, context_, clock_, plan);
+    const bool is_proven = lower_bound_ >= best_cost_;
+    if (plan) plan.lower_bound = is_proven ? plan.cost : std::min(lower_bound_, plan.cost);
   } else {
     fail(plan);
   }

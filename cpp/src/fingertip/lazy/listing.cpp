@@ -16,7 +16,7 @@ constexpr double kRoundFloat = 1e-6;  // of stabilities in single precision
 Listing::Listing(LazyState& lazy)
     : lazy_(lazy),
       clear_(clear_locations(lazy.graph, 0, lazy.graph.num_arcs())),
-      is_one_(lazy.candidates.instants().size() == 1),
+      single_(lazy.candidates.instants().size() == 1),
       level_(kFree),
       least_cost_(lazy.displacements.least_whole()) {
   const std::vector<int>& all = lazy.candidates.instants();
@@ -28,11 +28,11 @@ Listing::Listing(LazyState& lazy)
 void Listing::next(const std::function<void(const Placement&, double)>& found) {
   const float before = level_;
   const float least = lazy_.min_stability;
-  level_ = is_one_ ? std::max(least, next_level()) : least;
+  level_ = single_ ? std::max(least, next_level()) : least;
   for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, clear_, instants_, level_, lazy_.crew,
                      [&](const Placement& placement) {
                        const bool is_known =
-                           is_one_ && (lazy_.bounds.bound(instants_.front(), placement) >= before ||
+                           single_ && (lazy_.bounds.bound(instants_.front(), placement) >= before ||
                                        lazy_.candidates.is_entered(placement));
                        if (!is_known) found(placement, cost(placement));
                        return true;
@@ -52,7 +52,7 @@ double Listing::cost(const Placement& placement) const {
     if (location < 0) break;
     displacement = std::max(displacement, *lazy_.displacements.after(location));
   }
-  if (!is_one_) return displacement * (1 - kRounding);
+  if (!single_) return displacement * (1 - kRounding);
   const float z = lazy_.bounds.bound(instants_.front(), placement);
   return z < level_ ? kInfinity : cost_at(displacement, z);
 }

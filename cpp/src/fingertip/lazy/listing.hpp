@@ -32,7 +32,7 @@ class Listing {
 
   LazyState& lazy_;
   std::vector<int> instants_, clear_;
-  bool is_one_;  // instant
+  bool single_;  // there is one instant alone
   float level_;  // placements whose bound is as much have been found
   double least_cost_;
 };

@@ -56,7 +56,8 @@ bool shares_friction(const Problem& problem) {
 }
 
 int num_intervals(const Problem& problem) {
-  int count = problem.friction.lower < problem.friction.upper ? 1 : 0;
+  const FrictionInterval& shared = problem.friction;
+  int count = shares_friction(problem) && shared.lower < shared.upper ? 1 : 0;
   for (const Plane& plane : problem.planes) {
     count += plane.friction && plane.friction->lower < plane.friction->upper ? 1 : 0;
   }
@@ -69,6 +70,7 @@ Instants::Instants(const Problem& problem, const Options& options)
       wrench_scale_(mechanics::wrench_scale(problem.object.mass(), problem.object.inertia())),
       planes_(contact_planes(problem)),
       frictions_{problem.friction} {
+  if (!shares_friction(problem)) frictions_[0].upper = frictions_[0].lower;  // of no contact
   for (const Plane& plane : problem.planes) {
     surface_of_plane_.push_back(plane.friction ? static_cast<int>(frictions_.size()) : 0);
     if (plane.friction) frictions_.push_back(*plane.friction);
@@ -101,7 +103,7 @@ int Instants::add(const mechanics::BodyState& state) {
       object.mass(), state.X_WO.linear().transpose() * problem_.gravity_W);
   instant.set.wrench_scale = wrench_scale_;
   instant.set.cone_edges = options_.cone_edges;
-  turns_in_plane_ = turns_in_plane_ || patches.turns_in_plane;
+  instant.turns_in_plane = patches.turns_in_plane;
 
   std::vector<double> key = key_of(instant.set, object.size());
   key.insert(key.end(), instant.surfaces.begin(), instant.surfaces.end());

@@ -16,8 +16,9 @@ constexpr double kContactTolerance = 1e-6;
 /// An instant of the object's motion without its fingers. Equal mechanics, equal instant: a slide
 /// has one for all its samples, a tumble one a sample.
 struct Instant {
-  mechanics::ContactSet set;  // without fingers, friction at the nominal (lower) coefficient
-  std::vector<int> surfaces;  // of each contact: index into Instants::frictions()
+  mechanics::ContactSet set;    // without fingers, friction at the nominal (lower) coefficient
+  std::vector<int> surfaces;    // of each contact: index into Instants::frictions()
+  bool turns_in_plane = false;  // a face turns about its normal while it slides
   // One for each choice of environment coefficients that is checked: both ends of the intervals,
   // and counter-examples found later. Cones that may only help are taken at the lower end, and
   // those that may jam at the upper. Only contacts that slide follow the coefficients.
@@ -39,12 +40,11 @@ class Instants {
   Instants(const Problem& problem, const Options& options);
 
   /// The instant of this state; made when no equal one is there (to 1e-9 of the object's size).
-  /// Throws std::invalid_argument with the reason when its contacts cannot be stood for by points,
-  /// or there is none.
+  /// Throws std::invalid_argument with the reason when its contacts cannot be represented by
+  /// points, or there is none.
   int add(const mechanics::BodyState& state);
   const Instant& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
   int size() const { return static_cast<int>(all_.size()); }
-  bool turns_in_plane() const { return turns_in_plane_; }  // whether any face turned while it slid
 
   /// Friction of each surface: first that of the problem, which planes without their own share,
   /// then that of each plane with its own.
@@ -69,7 +69,6 @@ class Instants {
   std::vector<std::vector<double>> coefficients_;  // that are checked
   std::vector<Instant> all_;
   std::vector<std::vector<double>> keys_;  // contents in units of their size, for comparison
-  bool turns_in_plane_ = false;
 };
 
 }  // namespace graspless::fingertip

@@ -58,9 +58,14 @@ class Grid {
       };
       index[i] = at(values[i]);
       // Several yaws are the same turn: take the one on the lattice.
+      double off = kTurn;
       for (int turns = -3; i == 2 && turns <= 3; ++turns) {
-        const int other = at(yaw + turns * kTurn);
-        if (other >= 0 && other < counts_[2]) index[2] = other;
+        const double value = yaw + turns * kTurn;
+        const int other = at(value);
+        const double beside = std::abs(lower_[2] + other * step_[2] - value);
+        if (other < 0 || other >= counts_[2] || beside >= off) continue;
+        index[2] = other;
+        off = beside;
       }
       if (index[i] < 0 || index[i] >= counts_[i]) {
         throw std::invalid_argument("motion: start and goal must lie on the lattice");
