@@ -89,9 +89,9 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
       if (!mask.has(mask.column(p.x()), mask.row(p.y()))) continue;
       const Patch patch = smoothed(from, noise, u, v);
       // The smoother height also gives a smoother place on the ray.
-      const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(patch.height));
-      pixels.push_back({view, u, v, patch.height, patch.slope, raw_height(from, u, v),
-                        placed.head<2>().cast<float>()});
+      const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(patch.height), z);
+      pixels.push_back({view, u, v, sight.depth(v, u), patch.height, patch.slope,
+                        raw_height(from, u, v), placed.head<2>().cast<float>()});
     }
   }
 }
@@ -101,7 +101,8 @@ double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>&
   const Pixel& pixel = pixels[pixels.size() / 2];
   const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
   const auto at = [&](int dv) {
-    return rays.at_height(pixel.u, pixel.v + dv, static_cast<double>(pixel.height));
+    return rays.at_height(pixel.u, pixel.v + dv, static_cast<double>(pixel.height),
+                          static_cast<double>(pixel.depth));
   };
   return (at(1) - at(0)).head<2>().norm();
 }

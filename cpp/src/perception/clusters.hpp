@@ -4,6 +4,7 @@
 // Groups of pixels above a region.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "perception/regions.hpp"
@@ -13,6 +14,7 @@ namespace graspless::perception {
 /// A pixel above a support.
 struct Pixel {
   int view, u, v;
+  float depth;            ///< as measured [m]
   float height;           ///< of a plane through the neighbours of the same surface [m]
   Eigen::Vector2f slope;  ///< of that plane along u and v [m]
   float raw;              ///< as measured [m]
@@ -23,11 +25,13 @@ struct Pixel {
 class Rays {
  public:
   Rays(const Sighting& from, const Eigen::Isometry3d& X_WS);
-  /// Where the ray of a pixel has a height [m] above the plane.
-  Eigen::Vector3d at_height(double u, double v, double height) const {
+  /// Where the ray of a pixel has a height [m] above the plane. On rays that are nearly level, and
+  /// so have that height anywhere or never, the point at the measured depth z [m].
+  Eigen::Vector3d at_height(double u, double v, double height, double z) const {
+    constexpr double kLeastSlope = 0.05;
     const double slope = across_.x() * u + across_.y() * v + across_.z();
-    // Rays that do not fall never come down to it.
-    return at_depth(u, v, slope < -1e-9 ? (height - camera_) / slope : 0);
+    const double there = std::abs(slope) > kLeastSlope ? (height - camera_) / slope : 0;
+    return at_depth(u, v, there > 0 ? there : z);
   }
   Eigen::Vector3d at_depth(double u, double v, double z) const {
     return origin_ + directions_ * Eigen::Vector3d(u * z, v * z, z);

@@ -38,8 +38,10 @@ std::vector<Pixel> without_mixed_heights(const Cluster& cluster,
 /// Marks the cells that a pixel covers at its height.
 void draw(const Pixel& pixel, const Rays& rays, Raster& raster) {
   const auto at = [&](double du, double dv) {
-    return Eigen::Vector2d(
-        rays.at_height(pixel.u + du, pixel.v + dv, static_cast<double>(pixel.height)).head<2>());
+    return Eigen::Vector2d(rays.at_height(pixel.u + du, pixel.v + dv,
+                                          static_cast<double>(pixel.height),
+                                          static_cast<double>(pixel.depth))
+                               .head<2>());
   };
   const Eigen::Vector2d center = at(0, 0), along_u = at(0.5, 0) - at(-0.5, 0),
                         along_v = at(0, 0.5) - at(0, -0.5);

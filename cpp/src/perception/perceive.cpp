@@ -76,11 +76,11 @@ Scene without_support(const std::vector<Cell>& cells, const Options& options) {
                        " m^2 is seen from below; check that X_WC is the pose of the optical frame "
                        "(z forward, y down) in a world with z up"));
   }
-  return failure(
-      Status::no_support,
-      say("no plane of at least ", options.min_support_area, " m^2 within ", options.max_tilt,
-          " rad of level; check X_WC and K, look at the table from above, or change "
-          "min_support_area or max_tilt"));
+  return failure(Status::no_support, say("no plane of at least ", options.min_support_area,
+                                         " m^2 within ", options.max_tilt,
+                                         " rad of level; check X_WC, and K of depth images, look "
+                                         "at the table from above, or change "
+                                         "min_support_area or max_tilt"));
 }
 
 /// Builds the scene, plane by plane.
@@ -288,7 +288,12 @@ Scene perceive(const std::vector<View>& views, const Options& options) {
   Builder builder(sights, noise, options);
   for (const Plane& plane : ordered) builder.add(plane);
   Scene scene = builder.finish();
-  if (!scene) return without_support(cells, options);
+  if (!scene) {
+    return failure(Status::no_support,
+                   say("level surfaces were seen, but no piece of one that hangs together has ",
+                       options.min_support_area,
+                       " m^2; look at the table from above, or change min_support_area"));
+  }
   warn_of(scene, sights, noise, planes);
   return scene;
 }

@@ -30,6 +30,17 @@ DepthImage thinned(const DepthImage& depth, int stride) {
   return result;
 }
 
+/// Clears depths that no camera measures, such as those of a renderer's background. An image of
+/// such depths alone is in another unit than metres, and stays as it is.
+void clear_background(DepthImage& depth) {
+  constexpr float kFarthest = 50;      // [m]
+  constexpr double kLeastNear = 0.02;  // share of the pixels
+  const auto is_far = (depth > kFarthest).eval();
+  const auto near = static_cast<double>((depth > 0).count() - is_far.count());
+  if (near < kLeastNear * static_cast<double>(depth.size())) return;
+  depth = is_far.select(0, depth);
+}
+
 void measure(Sight& sight) {
   constexpr Eigen::Index kEvery = 7;  // pixels are enough for the median
   std::vector<float> some;
@@ -151,6 +162,7 @@ Sight prepare(const View& view, const NoiseModel& noise, std::int64_t max_pixels
   const auto pixels = static_cast<double>(view.depth.size());
   while (pixels / sight.stride / sight.stride > static_cast<double>(max_pixels)) ++sight.stride;
   sight.depth = thinned(view.depth, sight.stride);
+  clear_background(sight.depth);
   sight.K = view.K;
   sight.K.topRows<2>() /= sight.stride;
   sight.X_WC = view.X_WC;

@@ -19,12 +19,14 @@ constexpr double kLeastPatch = 4e-4;  // area of a patch without depth [m^2]
 struct Sector {
   double farthest = 0;  ///< distance of the farthest point of the object [m]
   double end = 0;       ///< distance at which the highest ray reaches the support [m]
+  double rise = -std::numeric_limits<double>::infinity();  ///< slope of the highest ray
 };
 
-/// The corners of a wedge between two directions, from the height `h` at `near` to 0 at `far`.
+/// The corners of a wedge between two directions, from the height `h` at `near` to `h_far` at
+/// `far`.
 Eigen::Matrix3Xd wedge(const Eigen::Vector2d& foot, double first, double last, double near,
-                       double far, double h) {
-  Eigen::Matrix3Xd corners(3, 6);
+                       double far, double h, double h_far) {
+  Eigen::Matrix3Xd corners(3, h_far > kLowest ? 8 : 6);
   const double outer = 1 / std::cos((last - first) / 2);  // the chord lies beyond the arc
   int i = 0;
   for (const double angle : {first, last}) {
@@ -33,6 +35,7 @@ Eigen::Matrix3Xd wedge(const Eigen::Vector2d& foot, double first, double last, d
     corners.col(i++) << begin.x(), begin.y(), 0;
     corners.col(i++) << begin.x(), begin.y(), h;
     corners.col(i++) << end.x(), end.y(), 0;
+    if (h_far > kLowest) corners.col(i++) << end.x(), end.y(), h_far;
   }
   return corners;
 }
@@ -59,14 +62,16 @@ class Shade {
       const auto k = std::min(count - 1, static_cast<std::size_t>((angle(*p) - first_) / width));
       sectors[k].farthest = std::max(sectors[k].farthest, distance(*p));
       sectors[k].end = std::max(sectors[k].end, end_of(*p));
+      sectors[k].rise = std::max(sectors[k].rise, rise_of(*p));
     }
     for (std::size_t k = 0; k < count; ++k) {
       const double begin = first_ + static_cast<double>(k) * width;
-      const double height =
-          from_.heights.camera * (1 - sectors[k].farthest / std::max(sectors[k].end, 1e-9));
-      if (sectors[k].end - sectors[k].farthest < kShortest || height < kLowest) continue;
-      shapes.push_back({region_.X_WS * wedge(foot_, begin, begin + width, sectors[k].farthest,
-                                             sectors[k].end, height)});
+      const auto [farthest, end, rise] = sectors[k];
+      const double camera = from_.heights.camera;
+      const double height = camera + rise * farthest, height_far = camera + rise * end;
+      if (end - farthest < kShortest || height < kLowest) continue;
+      shapes.push_back(
+          {region_.X_WS * wedge(foot_, begin, begin + width, farthest, end, height, height_far)});
     }
   }
 
@@ -84,6 +89,9 @@ class Shade {
     const double longest = region_.inside.cell * std::hypot(region_.inside.nx, region_.inside.ny);
     if (h >= camera) return distance(p) + longest;
     return std::min(distance(p) * camera / (camera - h), distance(p) + longest);
+  }
+  double rise_of(const Pixel& p) const {
+    return (static_cast<double>(p.height) - from_.heights.camera) / std::max(distance(p), 1e-9);
   }
   void span() {
     const Eigen::Vector2d d = from_foot(*pixels_[pixels_.size() / 2]);

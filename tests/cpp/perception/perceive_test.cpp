@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
+#include "geometry/convex_hull.hpp"
 #include "perception/scenes.hpp"
 
 namespace graspless::perception {
@@ -76,6 +77,36 @@ TEST(Perceive, ThicknessIsWithinItsStandardErrors) {
     EXPECT_LT(plate.thickness_error, 0.0007);
   }
   EXPECT_LT(std::sqrt(squares), 2);
+}
+
+TEST(Perceive, SeesObjectsThatAreHigherThanTheCamera) {
+  const std::vector<Body> bodies{floor(), table(), on_table({0.08, 0.08, 0.4}, 0.05, 0)};
+  for (const double up : {0.2, 0.35, 0.41, 0.6}) {
+    const View view = view_of(bodies, look_at({-0.9, 0, 0.4 + up}, {0, 0, 0.55}));
+    const Scene scene = perceive({view});
+    ASSERT_EQ(scene.objects.size(), 1u) << up;
+    EXPECT_FALSE(scene.objects[0].touches_border) << up;
+    EXPECT_NEAR(scene.objects[0].thickness, 0.4, 0.006) << up;
+    double hidden = 0;  // behind it, up to its top
+    for (const Unseen& unseen : scene.unseen)
+      hidden = std::max(hidden, unseen.shape.vertices.row(2).maxCoeff());
+    EXPECT_GT(hidden, up < 0.5 ? 0.78 : 0.7) << up;
+  }
+}
+
+TEST(Perceive, TakesNoBackgroundForDepths) {
+  const View clean = view_of({table(), on_table(kBox, 0.1, -0.1)}, eye());
+  ASSERT_GT((clean.depth == 0).count(), clean.depth.size() / 10);
+  const Scene expected = perceive({clean});
+  for (const float far : {51.0f, 1000.0f, 65504.0f, 1e10f}) {
+    View rendered = clean;
+    rendered.depth = (clean.depth == 0).select(far, clean.depth);
+    const Scene scene = perceive({rendered});
+    ASSERT_EQ(scene.supports.size(), expected.supports.size()) << far;
+    EXPECT_EQ(scene.supports[0].polygon.area(), expected.supports[0].polygon.area());
+    ASSERT_EQ(scene.objects.size(), 1u) << far;
+    EXPECT_EQ(scene.objects[0].thickness, expected.objects[0].thickness);
+  }
 }
 
 /// Rounds depths to steps [m].
@@ -265,8 +296,18 @@ TEST(Perceive, TwoViewsSeeMoreThanOne) {
   const Scene one = perceive({front}), both = perceive({front, back});
   ASSERT_EQ(one.objects.size(), 1u);
   ASSERT_EQ(both.objects.size(), 1u);
-  const auto volume = [](const Scene& scene) { return scene.unseen.size(); };
-  EXPECT_GT(volume(one), 0u);
+  const auto volume = [](const Scene& scene) {
+    double sum = 0;
+    for (const Unseen& unseen : scene.unseen) {
+      const geometry::Mesh hull = geometry::convex_hull(unseen.shape.vertices);
+      for (const auto& t : hull.triangles.colwise()) {
+        const Eigen::Vector3d a = hull.vertices.col(t[0]), b = hull.vertices.col(t[1]);
+        sum += a.cross(b).dot(hull.vertices.col(t[2])) / 6;
+      }
+    }
+    return sum;
+  };
+  EXPECT_GT(volume(one), 0);
   EXPECT_LT(volume(both), volume(one));
   EXPECT_NEAR(both.objects[0].outline.area(), 0.06 * 0.08, 0.2 * 0.06 * 0.08);
 }
