@@ -86,6 +86,30 @@ def test_bad_input_is_a_value_error_that_names_it(make, message):
         make()
 
 
+@pytest.mark.parametrize("first", range(6))
+def test_faces_that_are_not_convex_are_filled_alone(first, tmp_path):
+    """A prism on an L, whose faces begin at any corner: area, and no surface across the notch."""
+    ell = [(0, 0), (0.1, 0), (0.1, 0.04), (0.04, 0.04), (0.04, 0.1), (0, 0.1)]
+    ell = ell[first:] + ell[:first]
+    corners = [(x, y, z) for z in (0, 0.02) for x, y in ell]
+    faces = [range(6, 0, -1), range(7, 13)]
+    faces += [(i + 1, (i + 1) % 6 + 1, (i + 1) % 6 + 7, i + 7) for i in range(6)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    lines += ["f " + " ".join(map(str, face)) for face in faces]
+    (tmp_path / "ell.obj").write_text("\n".join(lines) + "\n")
+    mesh = geometry.read_mesh(str(tmp_path / "ell.obj"))
+    a, b, c = (np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[:, k]] for k in range(3))
+    assert np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2 == pytest.approx(0.0208)
+    assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(0.0064 * 0.02)
+
+
+def test_more_pieces_of_surface_than_points_are_sampled():
+    corners = np.random.default_rng(1).uniform(-1, 1, (20_000, 1, 3))
+    corners = np.repeat(corners, 3, axis=1) + [[0, 0, 0], [1e-3, 0, 0], [0, 1e-3, 0]]
+    dust = Mesh(corners.reshape(-1, 3), np.arange(60_000).reshape(-1, 3))
+    assert geometry.sample_surface([PlacedShape(dust)], 1000).shape == (1000, 3)
+
+
 def test_poses_come_back_bit_by_bit():
     angle = 0.3
     X = np.eye(4)

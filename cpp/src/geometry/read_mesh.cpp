@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
@@ -18,6 +19,7 @@
 #include "graspless/geometry/shape.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/polygon/cgal_polygon.hpp"
 #include "geometry/read_off.hpp"
 #include "geometry/read_ply.hpp"
 
@@ -137,22 +139,57 @@ PolygonSoup read_soup(const std::string& path, const std::string& extension) {
   }
 }
 
-/// Splits each polygon into a fan of triangles. Drops triangles that repeat a vertex.
+using Corners = std::vector<std::size_t>;
+
+/// Splits a face into pieces that are covered by the fan from their first corner.
+std::vector<Corners> fans_of(const Corners& face, const std::vector<Eigen::Vector3d>& points) {
+  const auto count = static_cast<Eigen::Index>(face.size());
+  Eigen::Matrix3Xd corners(3, count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    corners.col(i) = points[face[static_cast<std::size_t>(i)]];
+  Eigen::Matrix3Xd areas = Eigen::Matrix3Xd::Zero(3, count);  // of the fan from the first corner
+  for (Eigen::Index i = 2; i < count; ++i)
+    areas.col(i) = (corners.col(i - 1) - corners.col(0)).cross(corners.col(i) - corners.col(0));
+  const Eigen::Vector3d normal = areas.rowwise().sum();
+  if (((normal.transpose() * areas).array() >= 0).all()) return {face};
+  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  Eigen::Matrix2Xd flat(2, count);
+  flat << x.transpose() * corners, y.transpose() * corners;
+  if (!is_simple(flat)) return {face};  // it crosses itself, and has no inside
+  std::vector<Corners> pieces;
+  for (const Eigen::Matrix2Xd& part : convex_partition(flat)) {
+    Corners& piece = pieces.emplace_back();
+    for (const auto& p : part.colwise()) {
+      Eigen::Index i = 0;
+      while (flat.col(i) != p) ++i;  // the pieces have no other corners
+      piece.push_back(face[static_cast<std::size_t>(i)]);
+    }
+  }
+  return pieces;
+}
+
+/// Splits each face into triangles. Drops triangles that repeat a vertex.
 Eigen::Matrix3Xi triangulate(const PolygonSoup& soup, const std::string& path) {
   std::vector<Eigen::Vector3i> triangles;
-  for (const auto& polygon : soup.polygons) {
+  const auto add = [&triangles](const Corners& fan) {
+    for (std::size_t i = 2; i < fan.size(); ++i) {
+      const Eigen::Vector3i t(static_cast<int>(fan[0]), static_cast<int>(fan[i - 1]),
+                              static_cast<int>(fan[i]));
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+    }
+  };
+  for (const Corners& face : soup.polygons) {
     poll();
-    for (const std::size_t corner : polygon) {
+    for (const std::size_t corner : face) {
       if (corner >= soup.points.size()) {
         refuse_file(path, "refers to vertex " + std::to_string(corner) + " of " +
                               std::to_string(soup.points.size()));
       }
     }
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      const Eigen::Vector3i t(static_cast<int>(polygon[0]), static_cast<int>(polygon[i - 1]),
-                              static_cast<int>(polygon[i]));
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
-    }
+    if (face.size() <= 3)
+      add(face);
+    else
+      for (const Corners& fan : fans_of(face, soup.points)) add(fan);
   }
   Eigen::Matrix3Xi columns(3, static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t i = 0; i < triangles.size(); ++i)

@@ -59,6 +59,10 @@ RayImage rays_of(const Eigen::Matrix3Xd& points, const Eigen::Isometry3d& X_OC, 
   flat.topRows<2>() = at;
   const Eigen::Vector2d low = at.rowwise().minCoeff(), size = at.rowwise().maxCoeff() - low;
   const double pixel = std::max(spacing(flat), size.maxCoeff() / kLongestSide);
+  if (!(pixel > 0)) {
+    throw std::invalid_argument("points must not all lie on one ray of viewpoints[" +
+                                std::to_string(view) + "]");
+  }
   RayImage rays;
   rays.X_OC = X_OC;
   const Eigen::Vector2d first = Eigen::Vector2d::Constant(kFrame) - low / pixel;

@@ -22,13 +22,11 @@ constexpr double kMaxDartCells = 1e6;
 /// Points no two of which are nearer to each other than `distance`.
 class Darts {
  public:
-  Darts(const Vector3d& lower, double extent, double distance, int count)
+  Darts(const Vector3d& lower, double extent, double distance, int most)
       : lower_(lower), distance_(distance), side_(std::max(2 * distance, extent / kMaxDartCells)) {
     std::size_t size = 1024;
-    while (size < static_cast<std::size_t>(count)) size *= 2;
+    while (2 * size < 3 * static_cast<std::size_t>(most)) size *= 2;  // never full
     slots_.resize(size);
-    points_.reserve(static_cast<std::size_t>(count));
-    next_.reserve(static_cast<std::size_t>(count));
   }
 
   /// Keeps p unless a point kept before is too near.
@@ -109,7 +107,7 @@ std::vector<int> throw_darts(const Eigen::Matrix3Xd& points, int count, double a
   std::vector<int> kept;
   for (int round = 0;; ++round) {
     kept.clear();
-    Darts darts(lower, extent, round < kRounds ? distance : 0, 2 * count);
+    Darts darts(lower, extent, round < kRounds ? distance : 0, static_cast<int>(points.cols()));
     for (int i = 0; i < points.cols(); ++i) {
       poll();
       if (darts.add(points.col(i))) kept.push_back(i);

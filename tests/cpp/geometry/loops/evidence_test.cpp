@@ -238,6 +238,12 @@ TEST(Viewpoints, RefuseBadInput) {
                  "points must hold at least 20 points, not 10");
   expect_refused([&] { rays_from_viewpoints(points, Eigen::Vector3d(NAN, 0, 0)); }, "viewpoints");
   EXPECT_TRUE(rays_from_viewpoints(points, Eigen::Matrix3Xd(3, 0)).empty());
+  Eigen::Matrix3Xd line = Eigen::Matrix3Xd::Zero(3, 40);  // seen from its end
+  line.row(2) = Eigen::RowVectorXd::LinSpaced(40, 0, 0.1);
+  for (const Eigen::Matrix3Xd& one_ray : {line, Eigen::Matrix3Xd(line.col(7).replicate(1, 40))}) {
+    expect_refused([&] { rays_from_viewpoints(one_ray, Eigen::Vector3d(0, 0, 1)); },
+                   "points must not all lie on one ray of viewpoints[0]");
+  }
 }
 
 TEST(OneSided, ALoopOfOneViewIsUncertainWithoutItsCamera) {
