@@ -162,6 +162,17 @@ def test_clasp_is_secure_and_the_open_hand_is_not(plan):
     assert lost.margin <= 0
 
 
+def test_a_hand_in_the_object_is_not_tested(plan):
+    beside = problem()
+    moved = np.array(beside.X_WO)
+    moved[0, 3] += 0.03
+    robot, hand, _ = arm_and_hand()
+    within = clasp.Problem(robot, hand, beside.object, moved, beside.q_start)
+    blocked = clasp.test_stability(within, plan.segments[-1].positions[-1], plan.loop)
+    assert not blocked.secure
+    assert (blocked.escapes, blocked.checks, blocked.withstands) == (0, 0, 0)
+
+
 def test_other_threads_run_meanwhile():
     budget = Budget(seconds=60)
     threading.Timer(0.3, budget.stop).start()

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include "graspless/watch.hpp"
@@ -80,15 +81,10 @@ std::string insecure(const Query& query) {
   const StabilityOptions& load = query.options.stability;
   std::ostringstream out;
   out << "clasps were found, but the object came free of ";
-  if (query.most_withstood == 0 && query.best_pinch.press == 0) {
-    out << "all " << query.statistics.stability_tests << " in the stability test";
-    return out.str();
-  }
-  const auto forced = query.statistics.refusals.find(kForcedOpen);
-  const std::int64_t opened = forced == query.statistics.refusals.end() ? 0 : forced->second;
-  out << query.statistics.stability_tests - opened << " of " << query.statistics.stability_tests
-      << " in the stability test";
-  if (opened > 0) {
+  const std::int64_t tests = query.statistics.stability_tests;
+  out << (query.num_escaped == tests ? "all" : std::to_string(query.num_escaped) + " of") << ' '
+      << tests << " in the stability test";
+  if (query.most_withstood > 0) {
     const double most = std::floor(100 * query.most_withstood) / 100;  // less than the load
     out << ", and a sudden load of " << load.force << " N and " << load.torque
         << " Nm forces open the others, which hold with two fingers: they withstand " << most
@@ -187,6 +183,7 @@ std::string test_closed(Query& query, ClaspSearch& search, Clasp& clasp) {
   clasp.target_W = *held;
   test(query, search.task().loop, clasp);
   if (!query.options.must_be_secure || clasp.stability.secure || clasp.pinch) return "";
+  if (clasp.stability.checks == 0 && clasp.stability.escapes == 0) return kBlocked;
   const double withstands = clasp.stability.withstands;
   if (withstands == 0 || withstands >= enough(query)) {
     remember_escape(query, search.task().loop, clasp);
@@ -199,13 +196,14 @@ std::string test_closed(Query& query, ClaspSearch& search, Clasp& clasp) {
 /// Warns of handles that are too thick for the hand, a likely reason for failure.
 void warn_of_thick_handles(const Problem& problem,
                            const std::vector<std::unique_ptr<ClaspSearch>>& searches, Plan& plan) {
-  for (const auto& search : searches) {
-    const int loop = search->task().loop;
+  std::set<int> loops;  // several searches can have one loop
+  for (const auto& search : searches) loops.insert(search->task().loop);
+  for (const int loop : loops) {
     const double thickness = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
     if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
     std::ostringstream out;
-    out << "loop " << loop << ": its handle of " << std::lround(100 * thickness)
-        << " cm is too thick for this hand to close around; only friction can hold it";
+    out << "loop " << loop << ": its handle of " << std::lround(1000 * thickness)
+        << " mm is too thick for this hand to close around; only friction can hold it";
     plan.warnings.push_back(out.str());
   }
 }
@@ -215,8 +213,8 @@ void warn_of_thick_handles(const Problem& problem,
 std::string close_and_test(Query& query, ClaspSearch& search, Clasp& clasp) {
   close_centered(query, clasp.reach, clasp.close);
   const std::string why = test_closed(query, search, clasp);
-  const bool may_squeeze =
-      why == kNotSecure && is_small(query.problem, search.task().loop, query.width);
+  const bool may_squeeze = (why == kNotSecure || why == kBlocked) &&
+                           is_small(query.problem, search.task().loop, query.width);
   if (!may_squeeze || !squeeze(search, clasp.reach, clasp.close)) return why;
   return test_closed(query, search, clasp);
 }
@@ -276,7 +274,7 @@ void Query::add(const Query& other) {
   if (other.best_pinch.load > best_pinch.load) best_pinch = other.best_pinch;
   if (other.best_margin <= best_margin) return;
   best_margin = other.best_margin;
-  best_ring = other.best_ring;
+  if (!other.best_ring.between[0].empty()) best_ring = other.best_ring;
 }
 
 void conclude(const Query& query, const std::vector<std::unique_ptr<ClaspSearch>>& searches,

@@ -19,6 +19,7 @@ constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan 
 
 // Refusals that make the status of a failed search "not_secure".
 constexpr const char* kNotSecure = "clasp: not secure";
+constexpr const char* kBlocked = "clasp: the closed hand is in the object";
 constexpr const char* kForcedOpen = "clasp: forced open by the load";
 
 /// State of one call of plan().

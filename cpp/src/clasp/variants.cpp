@@ -3,6 +3,7 @@
 #include "clasp/variants.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "clasp/search/loop_search.hpp"
 #include "clasp/search/thread_search.hpp"
@@ -32,6 +33,7 @@ std::optional<Eigen::VectorXd> opened(Query& query) {
 }
 
 void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all, Plan& plan) {
+  if (std::exchange(are_added_, true)) return;
   const Hand& hand = all.problem.hand;
   std::vector<std::string> pre_shapes{hand.open};
   pre_shapes.insert(pre_shapes.end(), hand.pre_shapes.begin(), hand.pre_shapes.end());

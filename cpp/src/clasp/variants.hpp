@@ -22,7 +22,7 @@ class Variants {
   /// Number of cycles a loop after which a hand that has clasped nothing tries them, too.
   static constexpr std::size_t kPatience = 20;
 
-  /// The plan is warned of pre-shapes to which the hand cannot open.
+  /// The plan is warned of pre-shapes to which the hand cannot open. Later calls add nothing.
   void add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query& all, Plan& plan);
   /// Adds the counters of these searches.
   void report_to(Query& all) const;
@@ -34,6 +34,7 @@ class Variants {
 
   std::deque<Grip> grips_;  // deques, as queries and searches keep references
   std::deque<Query> queries_;
+  bool are_added_ = false;
 };
 
 }  // namespace graspless::clasp

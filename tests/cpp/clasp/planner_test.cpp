@@ -209,7 +209,7 @@ TEST(ClaspPlan, SaysThatAHandleIsTooThick) {
   const Plan plan = clasp::plan(problem, {}, cycles(0));
   EXPECT_EQ(plan.status, Status::not_found) << plan.reason;
   ASSERT_EQ(plan.warnings.size(), 1u);
-  EXPECT_NE(plan.warnings[0].find("cm is too thick for this hand"), std::string::npos)
+  EXPECT_NE(plan.warnings[0].find(" mm is too thick for this hand"), std::string::npos)
       << plan.warnings[0];
 }
 

@@ -84,7 +84,9 @@ struct Stability {
   /// 1 - r / escape_distance, where r is the largest distance of the loop from the hand's centre in
   /// any sequence. 1: the object cannot move; 0 or less: it escaped.
   double margin = 0;
-  std::int64_t checks = 0;  ///< number of poses checked
+  /// Number of poses checked. 0 without an escape: nothing was tested, as the hand is in the object
+  /// by more than the options allow.
+  std::int64_t checks = 0;
 };
 
 /// Result of the test of a pinch: the forces that a hand of two fingers can exert on the object.

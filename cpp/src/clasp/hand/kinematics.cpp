@@ -92,9 +92,18 @@ Vector3d HandKinematics::sideways_W() const {
   return X_WL_[static_cast<std::size_t>(hand_frame_)].linear() * sideways_H_;
 }
 
-void HandKinematics::node_jacobian(int n, Jacobian3& J) const {
-  J.setZero(3, robot_.dof());
-  for (int k = 0; k < 3; ++k) add_row(n, Vector3d::Unit(k), J.row(k));
+double HandKinematics::longest_curve() const {
+  double longest = 0;
+  for (int i = 0; i < num_curves(); ++i) {
+    const Eigen::Matrix3Xd p = curve_points(i);
+    const Eigen::Index sides = p.cols() - 1;
+    longest = std::max(longest, (p.rightCols(sides) - p.leftCols(sides)).colwise().norm().sum());
+  }
+  return longest;
+}
+
+Vector3d HandKinematics::center_W() const {
+  return (p_WN_.rowwise().minCoeff() + p_WN_.rowwise().maxCoeff()) / 2;
 }
 
 void HandKinematics::add_row(int n, const Vector3d& direction, Row row) const {
@@ -105,11 +114,6 @@ void HandKinematics::add_row(int n, const Vector3d& direction, Row row) const {
         mover.is_prismatic ? direction : Vector3d((p_W - mover.p_W).cross(direction));
     row[mover.joint] += mover.axis_W.dot(lever);
   }
-}
-
-void HandKinematics::hand_rotation_jacobian(Jacobian3& J) const {
-  J.setZero(3, robot_.dof());
-  for (int k = 0; k < 3; ++k) add_rotation_row(Vector3d::Unit(k), J.row(k));
 }
 
 void HandKinematics::add_rotation_row(const Vector3d& axis, Row row) const {

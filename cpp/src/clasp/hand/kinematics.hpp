@@ -29,16 +29,15 @@ class GRASPLESS_API HandKinematics {
   /// Curve i as indices into nodes(): from the tip of finger i to the tip of the thumb.
   const std::vector<int>& curve(int i) const { return curves_[static_cast<std::size_t>(i)]; }
   Eigen::Matrix3Xd curve_points(int i) const;
+  double longest_curve() const;        ///< its length [m]
+  Eigen::Vector3d center_W() const;    ///< middle of the box around the nodes
   Eigen::Vector3d forward_W() const;   ///< v_fwd
   Eigen::Vector3d sideways_W() const;  ///< v_swd
 
-  /// Jacobian of node n (3 x dof) at the configuration of the last update().
-  void node_jacobian(int n, Jacobian3& J) const;
-  /// Adds the gradient of the dot product of `direction` and node n to a row (1 x dof).
+  /// Adds the gradient of the dot product of `direction` and node n, at the configuration of the
+  /// last update(), to a row (1 x dof).
   void add_row(int n, const Eigen::Vector3d& direction, Row row) const;
-  /// Angular Jacobian of the hand frame (3 x dof).
-  void hand_rotation_jacobian(Jacobian3& J) const;
-  /// Adds the product of `axis` and the angular Jacobian to a row (1 x dof).
+  /// Adds the product of `axis` and the hand frame's angular Jacobian to a row (1 x dof).
   void add_rotation_row(const Eigen::Vector3d& axis, Row row) const;
 
  private:

@@ -3,6 +3,8 @@
 #include "clasp/hand/reach.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "clasp/hand/kinematics.hpp"
 #include "robot/moved_links.hpp"
@@ -35,11 +37,13 @@ double arm_length(const robot::Robot& robot, const Hand& hand, const std::vector
   return longest.sum();
 }
 
-/// Largest distance of a node from the hand's frame, with the hand open or closed [m].
+/// Largest distance of a node from the hand's frame, in the states of the hand [m].
 double hand_size(const robot::Robot& robot, const Hand& hand) {
   HandKinematics kinematics(robot, hand);
   double farthest = 0;
-  for (const std::string& state : {hand.open, hand.closed}) {
+  std::vector<std::string> states = hand.pre_shapes;
+  states.insert(states.end(), {hand.open, hand.closed});
+  for (const std::string& state : states) {
     kinematics.update(robot.state(state));
     const Eigen::Vector3d p_WH =
         kinematics.poses()[static_cast<std::size_t>(robot.frame(hand.frame))].translation();

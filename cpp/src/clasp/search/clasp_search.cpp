@@ -31,14 +31,9 @@ bool ClaspSearch::is_clasped(const Eigen::VectorXd& q) {
 
 const geometry::ClaspTarget* ClaspSearch::held_target_W(const Eigen::VectorXd& q) {
   const Eigen::Vector3d hand_W = project(q).head<3>();
-  double longest = 0;
-  for (int i = 0; i < task_space_.kinematics().num_curves(); ++i) {
-    const Eigen::Matrix3Xd p = task_space_.kinematics().curve_points(i);
-    const Eigen::Index n = p.cols() - 1;
-    longest = std::max(longest, (p.rightCols(n) - p.leftCols(n)).colwise().norm().sum());
-  }
+  constexpr double kNear = 0.4;  // of the longest curve, as in check()
   const geometry::ClaspTarget* nearest = nullptr;
-  double least = longest / 2;
+  double least = kNear * task_space_.kinematics().longest_curve();
   for (const geometry::ClaspTarget& target : task_.targets_W) {
     const double distance = (target.point - hand_W).norm();
     if (distance >= least) continue;

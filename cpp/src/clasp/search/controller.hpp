@@ -18,7 +18,7 @@ namespace graspless::clasp {
 /// - Pseudo-inverses are damped.
 /// - A curve that is not linked has no linking error.
 /// - The direction to the target counts less near the target.
-/// - The hand slows down while it is misaligned (Options::patience).
+/// - The hand slows down while it is misaligned (kPatience).
 /// - A joint at its limit is excluded, and the step is solved again for the others.
 class Controller {
  public:

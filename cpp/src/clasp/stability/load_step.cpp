@@ -79,7 +79,7 @@ LoadStep LoadStepper::step(const Vector6d& load, LoadContacts& contacts) {
   }
   while (true) {
     const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_));
-    if (found.status != mechanics::LpStatus::optimal) return {};
+    if (found.status != mechanics::LpStatus::optimal) return {Vector6d::Zero(), kInfinity, -1};
     const VectorXd yield = found.duals.tail(limits_.size());
     const LoadStep step{-found.duals.head<6>(), found.x[0], most_yielding(yield, limits_)};
     const Contacts added = passed(contacts, step.move, yield, points_);

@@ -10,22 +10,6 @@
 #include "clasp/stability/sequences.hpp"
 
 namespace graspless::clasp {
-namespace {
-
-/// Half the length of the longest curve [m]: the largest possible distance of a corner from the
-/// curve's centre.
-double half_length(const HandKinematics& hand) {
-  double longest = 0;
-  for (int i = 0; i < hand.num_curves(); ++i) {
-    const Eigen::Matrix3Xd curve = hand.curve_points(i);
-    const Eigen::Index sides = curve.cols() - 1;
-    longest =
-        std::max(longest, (curve.rightCols(sides) - curve.leftCols(sides)).colwise().norm().sum());
-  }
-  return longest / 2;
-}
-
-}  // namespace
 
 StabilityTester::StabilityTester(const Problem& problem)
     : problem_(problem),
@@ -48,9 +32,9 @@ Crew& StabilityTester::crew(int threads) {
 Hang StabilityTester::hang(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O) {
   kinematics_.update(q);
   const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
-  const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+  const Eigen::Vector3d p_WC = kinematics_.center_W();
   const double reach = (nodes.colwise() - p_WC).colwise().norm().maxCoeff();
-  const double escape = half_length(kinematics_);
+  const double escape = kinematics_.longest_curve() / 2;
   Hang result;
   result.X_WO = loads().hang(q, p_WC, reach, 2 * escape);
   const Eigen::Isometry3d moved = result.X_WO * X_OW_;
@@ -76,10 +60,9 @@ Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd
                                 const StabilityOptions& options, int least_sequences,
                                 double enough) {
   kinematics_.update(q);
-  const Eigen::Matrix3Xd& nodes = kinematics_.nodes();
-  const Eigen::Vector3d p_WC = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
+  const Eigen::Vector3d p_WC = kinematics_.center_W();
   const double escape =
-      options.escape_distance > 0 ? options.escape_distance : half_length(kinematics_);
+      options.escape_distance > 0 ? options.escape_distance : kinematics_.longest_curve() / 2;
   // At least half of each ball remains, so that the object cannot pass through thin fingers.
   const Eigen::ArrayXd whole = balls_.radii();
   const Eigen::VectorXd radii = (whole - options.penetration).max(whole / 2);

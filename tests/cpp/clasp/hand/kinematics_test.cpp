@@ -58,7 +58,8 @@ TEST_P(HandKinematicsOf, NodesMoveAsTheirDerivativesSay) {
       const Eigen::Matrix3Xd by_q = (more - kinematics_.nodes()) / (2 * kStep);
       kinematics_.update(q);
       for (int n = 0; n < by_q.cols(); ++n) {
-        kinematics_.node_jacobian(n, J);
+        J.setZero(3, q.size());
+        for (int k = 0; k < 3; ++k) kinematics_.add_row(n, Vector3d::Unit(k), J.row(k));
         ASSERT_LT((J.col(j) - by_q.col(n)).norm(), 1e-8) << "joint " << j << " node " << n;
       }
     }
@@ -77,7 +78,8 @@ TEST_P(HandKinematicsOf, HandTurnsAsItsDerivativeSays) {
     const Vector3d forward_by_q = (forward - kinematics_.forward_W()) / (2 * kStep);
     const Vector3d sideways_by_q = (sideways - kinematics_.sideways_W()) / (2 * kStep);
     kinematics_.update(q);
-    kinematics_.hand_rotation_jacobian(J);
+    J.setZero(3, q.size());
+    for (int k = 0; k < 3; ++k) kinematics_.add_rotation_row(Vector3d::Unit(k), J.row(k));
     const Vector3d turn = J.col(j);
     EXPECT_LT((turn.cross(kinematics_.forward_W()) - forward_by_q).norm(), 1e-8);
     EXPECT_LT((turn.cross(kinematics_.sideways_W()) - sideways_by_q).norm(), 1e-8);
