@@ -130,6 +130,35 @@ def test_the_object_is_inside_it_in_a_physics_engine(plan):
         assert trial.measures["angle_error"] <= plan.tube.angle[-1]
 
 
+def test_a_finger_that_jams_drags_the_object_along():
+    certain = dict.fromkeys(("friction_spread", "mass_spread", "flexure_spread", "com_spread"), 0.0)
+    certain |= dict.fromkeys(("thickness_spread", "height_spread", "position_spread"), 0.0)
+    certain |= {"refuse_lag": False, "angle_spread": 0.0, "tracking_spread": 0.0}
+    smooth = graspless.plan(card(0.05, **certain))
+    problem = smooth.task.problem
+
+    def rough(times):  # both frictions, so that their ratio is the same
+        support, hand = problem.support, problem.hand
+        more = slide.Support(
+            support.polygon.vertices, support.X_WS, friction=times * support.friction
+        )
+        hand.pad_friction *= times
+        return slide.Problem(
+            problem.robot, hand, problem.object, more, problem.X_WO_start, problem.q_home
+        )
+
+    tubes = [slide.tube(rough(times), smooth, smooth.task.options) for times in (1, 3, 4, 6)]
+    assert max(max(tube.position) for tube in tubes) < 0.01
+
+
+def test_a_support_that_is_too_slippery_for_its_slope_is_refused():
+    document = CARD.replace("MASS", "0.05").replace(
+        "support: {", "support: {friction: 0.1, pose: {rpy: [0, -0.14, 0]}, "
+    )
+    with pytest.raises(ValueError, match=r"support.friction must be at least 0.1409\d*, the slope"):
+        graspless.plan(read_task(document, "steep"))
+
+
 @pytest.mark.parametrize(
     ("options", "told"),
     [

@@ -65,7 +65,7 @@ inline Planar object_pose(const Planar& tip_now, const Planar& tip_start,
   return tip_now * tip_start.inverse() * object_start;
 }
 
-/// True if the object is where it shall be left.
+/// True if the object is where it is to be left.
 bool is_at_end(const Planar& object_end, const Planar& object_S);
 
 /// Projects a pose onto the plane of S.

@@ -27,15 +27,15 @@ std::vector<Motions::GraspConfiguration> Motions::grasp_configurations(const Pla
   // others again.
   const robot::Ik& ik = query_.grasp_ik;
   const bool varies = !ik.is_closed_form() || ik.free_joint();
-  const std::vector<double> deeps = depths(query_.options, place);
-  const int draws = std::max(varies ? 12 : 2, 2 * static_cast<int>(deeps.size()));
+  const std::vector<double> tried_depths = depths(query_.options, place);
+  const int draws = std::max(varies ? 12 : 2, 2 * static_cast<int>(tried_depths.size()));
   std::vector<GraspConfiguration> found;
   std::optional<std::pair<int, int>> touching;
   Eigen::VectorXd q_touching;
   robot::Poses X_WL;
   for (int i = 0; i < draws && found.size() < enough; ++i) {
     const int roll = i % 2;
-    const double deep = deeps[static_cast<std::size_t>(i / 2) % deeps.size()];
+    const double deep = tried_depths[static_cast<std::size_t>(i / 2) % tried_depths.size()];
     const Eigen::Isometry3d X_WH = grasp_pose(query_.problem, place, roll, -deep);
     for (const Eigen::VectorXd& q :
          query_.draw_ik(ik, X_WH, query_.draw_seed(), query_.draw_free_joint())) {

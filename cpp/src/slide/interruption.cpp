@@ -45,7 +45,7 @@ Planar laid_flat(const Object& object, const Eigen::Isometry3d& X_SO) {
 }
 
 /// Why the fingertip does not press at `contact`, a position on the object; empty if it does.
-std::string why_beside(const Query& query, const Eigen::Vector2d& p_OC) {
+std::string why_off_object(const Query& query, const Eigen::Vector2d& p_OC) {
   const Object& object = query.problem.object;
   constexpr double kAtRim = 0.001;    // check()'s tolerance: contacts lie at the margin, too [m]
   constexpr double kSpacings = 1.25;  // from a position on the object to the nearest of its points
@@ -100,14 +100,19 @@ std::nullopt_t refuse_invalid(Query& query, const VectorXd& start, Plan& plan) {
                   "where the slide is to go on, '" + world.name(touching->first) + "' touches '" +
                       world.name(touching->second) + "'");
   }
-  const double inside =
-      query.problem.support.polygon().depth(query.contact.effective_tip_at(start).translation());
+  const Tip tip = query.contact.tip_at(start);
+  const geometry::Polygon& polygon = query.problem.support.polygon();
+  const double inside = polygon.depth(query.contact.effective(tip).translation());
   if (inside < query.options.tip_margin) {
     return refuse(plan, Status::contact_lost,
-                  "the fingertip presses " + in_mm(std::abs(inside)) +
-                      (inside < 0 ? " outside" : " inside") +
-                      " the support's edge; options.tip_margin asks for " +
+                  "the fingertip presses " + beside_edge(inside) +
+                      " of the support; options.tip_margin asks for " +
                       in_mm(query.options.tip_margin) + " inside");
+  }
+  if (const double commanded = polygon.depth(tip.position); commanded < 0) {
+    return refuse(plan, Status::contact_lost,
+                  "the fingertip, if it did not yield, would be " + beside_edge(commanded) +
+                      " of the support");
   }
   return refuse(plan, Status::contact_lost, "the hand is not in the attitude in which it presses");
 }
@@ -154,7 +159,7 @@ std::optional<VectorXd> find_pressed_start(Query& query, const Interruption& at,
   query.object_start = query.contact.carry(moved, start);
   const ContactSpace::Carried carried = query.carried_from(start);
   const Eigen::Vector2d p_OC = query.object_start.inverse() * carried.tip_start.translation();
-  const std::string beside = why_beside(query, p_OC);
+  const std::string beside = why_off_object(query, p_OC);
   if (!beside.empty()) return refuse(plan, Status::contact_lost, beside);
   admit_links(query, query.arm.full(start));
   if (!query.contact.is_valid(start, carried)) return refuse_invalid(query, start, plan);

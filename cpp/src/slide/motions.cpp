@@ -58,7 +58,7 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
 }
 
 /// Conditions 1 and 2: the object sticks out over an edge, and does not fall. Or it is where it
-/// shall be left.
+/// is to be left.
 bool Motions::is_goal(Handling& handling) {
   if (query_.object_end) {
     if (is_at_end(*query_.object_end, handling.object_goal)) return true;

@@ -55,6 +55,10 @@ bool Query::is_lag_small(Slid slide) {
     refuse("pair: drag may tip the object");
     return false;
   }
+  if (refuses_lag && drag_load(problem, slide.pressed) > 1) {
+    refuse("pair: the pad cannot drag the object along without turning it");
+    return false;
+  }
   Course found = course(problem, options, slide.pressed);
   const Planar& goal = slide.pressed.back().X_SO;
   const auto grasp = [&]() -> std::optional<Eigen::Vector2d> {

@@ -94,7 +94,8 @@ std::vector<Counted> frequent(const Query& query, bool pairs_first) {
     const auto others = std::stable_partition(all.begin(), all.end(), [](const Counted& counted) {
       return counted.second.rfind("pair:", 0) == 0;
     });
-    if (others - all.begin() > kPairs) all.erase(all.begin() + kPairs, others);
+    const auto more = all.begin() + std::min(kPairs, others - all.begin());
+    std::rotate(more, others, all.end());
   }
   const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(kReasons, all.size()));
   std::vector<Counted> found(all.begin(), end);
@@ -132,6 +133,10 @@ std::string in_mm(double length) {
   return out.str();
 }
 
+std::string beside_edge(double inside) {
+  return in_mm(std::abs(inside)) + (inside < 0 ? " outside" : " inside") + " the edge";
+}
+
 bool is_home_free(Query& query, Plan& plan) {
   const Eigen::VectorXd &home = query.problem.q_home, &open = query.arm.open();
   plan.status = Status::start_in_collision;
@@ -139,9 +144,14 @@ bool is_home_free(Query& query, Plan& plan) {
   for (const Eigen::VectorXd& q : {home, open}) {
     const auto [a, b] = query.free.collision(q);
     if (a.empty()) continue;
+    const std::vector<std::string>& links = query.problem.robot.frame_names();
+    const auto is_link = [&](const std::string& name) {
+      return std::find(links.begin(), links.end(), name) != links.end();
+    };
     plan.reason = "at q_home, '" + a + "' touches '" + b + "', " +
                   depth(world, {world.body(a), world.body(b)}) +
-                  "; choose another q_home (robot.home of a task)";
+                  (is_link(a) || is_link(b) ? "; choose another q_home (robot.home of a task)"
+                                            : "; move one of them");
     return false;
   }
   if (query.is_motion_free(home, open)) return true;
@@ -150,7 +160,7 @@ bool is_home_free(Query& query, Plan& plan) {
 }
 
 bool can_reach(const Query& query, Plan& plan) {
-  constexpr double kSlack = 0.02;  // between the contact and the fingertip [m]
+  constexpr double kSlack = 0.02;  // between the contact and a rigid fingertip [m]
   const Problem& problem = query.problem;
   const robot::Robot& robot = problem.robot;
   const std::vector<int>& arm = robot.group(problem.hand.arm);
@@ -164,7 +174,10 @@ bool can_reach(const Query& query, Plan& plan) {
   const Eigen::Vector2d base_O = query.object_start.inverse() * Eigen::Vector2d(base_S.head<2>());
   const double aside = (problem.object.points().colwise() - base_O).colwise().norm().minCoeff();
   const double nearest = std::hypot(aside, base_S.z() - query.top);
-  if (nearest <= reach + kSlack) return true;
+  const Options& options = query.options;
+  const double bent = contact_shift(problem.hand, depth_band(problem.hand, options).max,
+                                    options.pitch, options.pitch);
+  if (nearest <= reach + kSlack + bent) return true;
   plan.status = Status::no_start_root;
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: the fingertip"
@@ -208,7 +221,7 @@ bool can_be_left(const Query& query, Plan& plan) {
   plan.status = Status::no_goal_root;
   const double inside = problem.support.polygon().depth(com_foot(problem, *query.object_end));
   plan.reason = "at the end (X_WO_end), " +
-                (inside < margin ? "the centre of mass is " + in_mm(inside) + " inside the edge"
+                (inside < margin ? "the centre of mass is " + beside_edge(inside)
                                  : std::string("the part of the rim on the support does not hold "
                                                "the centre of mass")) +
                 "; options.com_margin asks for " + in_mm(margin);
@@ -217,6 +230,7 @@ bool can_be_left(const Query& query, Plan& plan) {
 
 std::string reason(Query& query, const Plan& plan) {
   if (plan.status == Status::solved) return "solved";  // depths of collisions are not wanted
+  if (plan.statistics.iterations == 0) return "the budget allowed no iteration";
   const bool pairs = plan.status == Status::no_valid_pair;
   // Without the time: the same seed and iterations give the same file.
   const std::string refused = " within " + std::to_string(plan.statistics.iterations) +
@@ -224,7 +238,6 @@ std::string reason(Query& query, const Plan& plan) {
                               (plan.statistics.refusals.empty()
                                    ? ""
                                    : "; most frequent rejections: " + most_frequent(query, pairs));
-  if (plan.statistics.iterations == 0) return "the budget allowed no iteration";
   switch (plan.status) {
     case Status::start_in_collision:
     case Status::off_support:
@@ -235,7 +248,7 @@ std::string reason(Query& query, const Plan& plan) {
       return "no configuration was found that presses on the object" + refused;
     case Status::no_goal_root:
       return (query.object_end
-                  ? "no configuration was found that presses on the object where it shall be left"
+                  ? "no configuration was found that presses on the object where it is to be left"
                   : "no configuration was found that presses near an edge of the support") +
              refused;
     case Status::no_valid_pair:

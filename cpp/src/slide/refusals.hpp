@@ -11,6 +11,8 @@ namespace graspless::slide {
 
 /// Returns a length in millimetres with two digits or more, such as "14 mm".
 std::string in_mm(double length);
+/// "5 mm outside the edge", of a point that is `inside` the edge [m].
+std::string beside_edge(double inside);
 
 /// True if the robot at q_home can open its hand without collision. Otherwise sets the plan's
 /// status and reason.
@@ -27,7 +29,7 @@ bool can_press(const Query& query, Plan& plan);
 /// True if the pad can drag the object somewhere. Otherwise sets the plan's status and reason.
 bool can_drag(const Query& query, Plan& plan);
 
-/// True if the object stays where it shall be left, if there is such a place. Otherwise sets the
+/// True if the object stays where it is to be left, if there is such a place. Otherwise sets the
 /// plan's status and reason.
 bool can_be_left(const Query& query, Plan& plan);
 

@@ -146,7 +146,7 @@ bool StartRegion::try_sample(ob::State* state) const {
     if (refused_ == kPatience) valid = std::find_if(arms.begin() + 1, arms.end(), is_valid);
   }
   if (valid == arms.end()) {
-    query_.refuse_press("start: ", arms.front());
+    query_.refuse_press("start: ", refused_ == kPatience ? arms.back() : arms.front());
     return false;
   }
   vector(state, query_.arm.dof()) = *valid;

@@ -145,7 +145,7 @@ void Examination::check_pair() {
   check_held_up();
 }
 
-/// The object lies where it shall be left.
+/// The object lies where it is to be left.
 void Examination::check_end() {
   const Eigen::Isometry3d X_OO = problem_.X_WO_end->inverse() * plan_.X_WO_goal;
   constexpr double kFlat = 0.002, kTilt = 0.0175;  // of X_WO_end against the support [m, rad]

@@ -62,13 +62,19 @@ class Leg {
     return {-std::sin(yaw), std::cos(yaw)};
   }
   PadPoint at(double t) const {
-    return {from_.position + t * twist_.head<2>(),
-            1 / (press_from_ + t * (press_to_ - press_from_)),
+    return {from_.position + t * twist_.head<2>(), weight_per_press(t),
             from_.weakness + t * (to_.weakness - from_.weakness),
             from_.radius + t * (to_.radius - from_.radius)};
   }
 
  private:
+  /// 0 where the finger jams, and presses without limit.
+  double weight_per_press(double t) const {
+    if (std::isinf(press_from_) || std::isinf(press_to_))
+      return (1 - t) / press_from_ + t / press_to_;
+    return 1 / (press_from_ + t * (press_to_ - press_from_));
+  }
+
   const Pad &from_, &to_;
   Eigen::Vector3d twist_;
   double press_from_, press_to_;  // relative to the weight

@@ -153,11 +153,14 @@ double turn_between(const Planar& a, const Planar& b) {
   return std::atan2(R(1, 0), R(0, 0));
 }
 
-/// The errors without slip: the wrist's trailing adds to the others.
+/// Distance by which a wrist that gives way trails behind [m], an error without slip.
 double trailing_at(const Problem& problem, const PressedRow& row) {
-  if (problem.hand.finger_model != FingerModel::impedance) return 0;
+  constexpr double kGuarded = 2000;  // of an arm that holds a force, as simulated [N/m]
+  const FingerModel model = problem.hand.finger_model;
+  if (model != FingerModel::impedance && model != FingerModel::rigid_guarded) return 0;
+  const double K = model == FingerModel::impedance ? problem.hand.wrist_stiffness : kGuarded;
   const double N = press_force(problem.hand, row.depth, row.tip.pitch);
-  return problem.support.friction() * (N + weight(problem)) / problem.hand.wrist_stiffness;
+  return problem.support.friction() * (N + weight(problem)) / K;
 }
 
 void add_row(const Problem& problem, const Options& options, const PressedRow& row,
