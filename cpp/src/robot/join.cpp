@@ -225,6 +225,15 @@ void check_mount(const Mount& mount, TiXmlElement& arm) {
   throw_unknown(mount.link, {links.begin(), links.end()}, "mount");
 }
 
+/// Declares the namespaces of one element in another one, whose own stay.
+void copy_namespaces(const TiXmlElement& from, TiXmlElement& to) {
+  for (const TiXmlAttribute* each = from.FirstAttribute(); each; each = each->Next()) {
+    const std::string name = each->Name();
+    if (name.rfind("xmlns", 0) == 0 && !to.Attribute(each->Name()))
+      to.SetAttribute(each->Name(), each->Value());
+  }
+}
+
 }  // namespace
 
 Description join(const Description& arm, const Description& gripper, const Mount& mount) {
@@ -248,6 +257,7 @@ Description join(const Description& arm, const Description& gripper, const Mount
       attribute_or_empty(robot, "name") + "_" + attribute_or_empty(g.robot(), "name");
   robot.SetAttribute("name", name.c_str());
   semantics.SetAttribute("name", name.c_str());
+  copy_namespaces(g.robot(), robot);
   const auto root = names.links.find(g.tree.root);
   append_children(g.robot(), robot);
   append_mount(mount, root == names.links.end() ? g.tree.root : root->second, robot);

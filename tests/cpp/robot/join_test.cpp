@@ -83,6 +83,18 @@ TEST(Join, CarriesTheGripper) {
   EXPECT_EQ(robot.shapes().size(), 2u);  // the mesh is found from any directory
 }
 
+TEST(Join, KeepsNamespaces) {
+  const std::string drake = " xmlns:drake='http://drake.mit.edu'";
+  const std::string other = " xmlns:drake='elsewhere' xmlns:xacro='http://ros.org/wiki/xacro'";
+  Description a = arm(), g = gripper();
+  a.urdf.insert(a.urdf.find("<robot") + 6, drake);
+  g.urdf.insert(g.urdf.find("<robot") + 6, other);
+  const std::string joined = join(a, g, tool()).urdf;
+  EXPECT_NE(joined.find("xmlns:drake=\"http://drake.mit.edu\""), std::string::npos) << joined;
+  EXPECT_NE(joined.find("xmlns:xacro=\"http://ros.org/wiki/xacro\""), std::string::npos);
+  EXPECT_EQ(joined.find("elsewhere"), std::string::npos);
+}
+
 TEST(Join, MergesTheSrdfs) {
   const Robot robot = read(join(arm(), gripper(), tool()));
   EXPECT_EQ(robot.group_names(), (std::vector<std::string>{"arm", "gripper_arm", "hand"}));
