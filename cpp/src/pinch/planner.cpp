@@ -79,9 +79,11 @@ class Search {
  private:
   void search(const std::vector<Grasp>& grasps, Plan& plan) {
     std::vector<Pinch> unreached;  // no straight motion leads there
+    std::size_t tried = 0;
     const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
       if (!clock_.spend()) break;
+      ++tried;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
         bool is_uneven = false;
         std::optional<Pinch> pinch = add_motion(grasps[i], q, is_uneven);
@@ -97,7 +99,7 @@ class Search {
       if (add_approach(pinch, kIterations, plan)) return;
       refuse("no way from home");
     }
-    fail(count, plan);
+    fail(tried, plan);
   }
 
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
@@ -178,9 +180,9 @@ class Search {
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }
 
-  void fail(std::size_t count, Plan& plan) {
+  void fail(std::size_t tried, Plan& plan) {
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
-    plan.reason = "none of " + std::to_string(count) + " hand poses works";
+    plan.reason = "none of " + std::to_string(tried) + " hand poses works";
     const auto& refusals = statistics_.refusals;
     const auto most =
         std::max_element(refusals.begin(), refusals.end(),
