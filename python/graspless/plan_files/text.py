@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +42,7 @@ def _to_text(value: Any, indent: str = "") -> str:
     if isinstance(value, list) and not {list, dict}.isdisjoint(map(type, value)):
         rows = _rows(value, deeper) or (deeper + _to_text(item, deeper) for item in value)
         return "[\n" + ",\n".join(rows) + f"\n{indent}]"
-    return _encode(value)
+    return repr(value) if type(value) is float and math.isfinite(value) else _encode(value)
 
 
 def _rows(table: list[Any], indent: str) -> list[str] | None:

@@ -46,6 +46,8 @@ def document_of(fields: BaseModel) -> dict[str, Any]:
         elif _are_rows(value):
             parts[name] = [list(row) for row in value]
     rest = fields.model_dump(mode="json", exclude_none=True, exclude=set(parts))
+    if not parts:
+        return rest
     return {name: (parts if name in parts else rest)[name] for name in _order(fields, parts, rest)}
 
 
