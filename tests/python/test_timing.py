@@ -367,7 +367,7 @@ def test_object_follows_its_rows():
 def test_a_chain_is_its_stages_one_after_the_other(name):
     plan, whole = planned(name), timed(name)
     stages = [graspless.time(stage) for stage in plan.stages]
-    assert whole.joint_names == stages[0].joint_names
+    assert whole.joint_names == stages[0].joint_names == list(plan.joint_names)
     assert [s.name for s in whole.segments] == [s.name for t in stages for s in t.segments]
     assert (np.diff(whole.times) > 0).all()
     total = sum(t.duration for t in stages) + settings.PAUSE * (len(stages) - 1)

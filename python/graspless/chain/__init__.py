@@ -64,6 +64,11 @@ class Plan(AnyPlan):
         return str(self.status) == "solved"
 
     @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The robot's joints, which all stages share; empty without a robot."""
+        return self.stages[0].joint_names if self.stages else ()
+
+    @property
     def segments(self) -> tuple[Any, ...]:
         """Segments of all stages, in order."""
         return tuple(segment for stage in self.stages for segment in stage.segments)
