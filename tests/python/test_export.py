@@ -52,6 +52,18 @@ def test_csv_is_a_table_with_one_line_of_names(tmp_path):
     np.testing.assert_allclose(poses, trajectory.object_poses, atol=1e-12)
 
 
+@pytest.mark.parametrize("name", ["lifted", "twice"])
+def test_csv_of_a_chain_numbers_its_segments_as_mujoco_does(tmp_path, name):
+    trajectory = exported(name, tmp_path / "plan.csv", "csv")
+    exported(name, tmp_path / "plan.xml", "mujoco")
+    model, _ = loaded(tmp_path / "plan.xml")
+    keys = [model.key(k).name for k in range(1, model.nkey)]
+    with (tmp_path / "plan.csv").open() as file:
+        found = [row["segment"] for row in csv.DictReader(file)]
+    assert found == [keys[i] for i in trajectory.segment_index]
+    assert len(set(found)) == len(trajectory.segments)
+
+
 def test_fingertips_are_on_the_object_unless_they_regrasp(tmp_path):
     trajectory = exported("regrasp", tmp_path / "plan.csv", "csv")
     with (tmp_path / "plan.csv").open() as file:

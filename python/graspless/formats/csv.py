@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import files, frames
 from .fingers import contacts
-from .numbers import plain
+from .numbers import numbered, plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -46,7 +46,7 @@ def text(trajectory: Trajectory) -> str:
     written = io.StringIO()
     table = csv.writer(written, lineterminator="\n")
     table.writerow(header(trajectory, points.shape[1]))
-    for k, name in enumerate(trajectory.names):
+    for k, name in enumerate(_names(trajectory)):
         numbers = [
             *trajectory.positions[k],
             *trajectory.velocities[k],
@@ -55,3 +55,11 @@ def text(trajectory: Trajectory) -> str:
         touched = ["" if np.isnan(value) else value for value in plain(points[k].ravel())]
         table.writerow([float(trajectory.times[k]), name, *plain(numbers), *touched])
     return written.getvalue()
+
+
+def _names(trajectory: Trajectory) -> list[str]:
+    """Returns the segment at each moment; numbered in a chain, whose stages may share names."""
+    if trajectory.plan.kind != "chain":
+        return trajectory.names
+    names = numbered(trajectory)
+    return [names[i] for i in trajectory.segment_index]

@@ -18,6 +18,7 @@ from .. import files, frames
 from ..simulation.robots import compiled, set_positions
 from .fingers import centers
 from .mujoco_scene import FINGER, OBJECT, build
+from .numbers import numbered
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -37,8 +38,7 @@ def text(trajectory: Trajectory) -> str:
     spec, robot = build(trajectory)
     model = compiled(spec)
     last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
-    names = [f"{i}_{s.name}" for i, s in enumerate(trajectory.segments)]
-    for name, k in zip(["start", *names], [0, *last], strict=True):
+    for name, k in zip(["start", *numbered(trajectory)], [0, *last], strict=True):
         key = spec.add_key(name=name, time=float(trajectory.times[k]))
         key.qpos = _qpos(model, robot, trajectory.positions[k], trajectory.object_poses[k])
         if robot is not None:
