@@ -284,6 +284,26 @@ def test_numbers_as_people_write_them(write):
     assert task.problem.object.thickness == 0.004
 
 
+@pytest.mark.parametrize(
+    ("number", "what"),
+    [
+        ("010", "YAML reads this as 8; write 10, or put text in quotes"),
+        ("-0017", "YAML reads this as -15; write -17, or put text in quotes"),
+        ("1:30", "YAML reads this as 90; write minutes and seconds as one number, or put text in"),
+        ("1:30.5", "YAML reads this as 90.5; write minutes"),
+    ],
+)
+def test_numbers_that_yaml_takes_for_others_are_refused(write, number, what):
+    told = fault(write(changed("0.004", number)))
+    assert told.startswith(f"task.yaml:8: object.thickness: {number}: {what}")
+
+
+def test_decimals_and_hexadecimals_are_read_as_before():
+    text = "{a: 0, b: -0, c: 1_000, d: 0.10, e: 0x10, f: '010', g: '1:30'}"
+    read = {"a": 0, "b": 0, "c": 1000, "d": 0.1, "e": 16, "f": "010", "g": "1:30"}
+    assert parse_yaml(text, "a.yaml").data == read
+
+
 def test_circle_has_as_many_corners_as_asked(write):
     task = graspless.load_task(write(changed(CARD, "circle: {radius: 0.05, points: 12}")))
     assert len(task.problem.object.outline.vertices) == 12

@@ -136,15 +136,28 @@ def _require_value(node: Any, place: Location, file: str, loader: Any) -> None:
     """Raises TaskError if text is not what its tag says, such as !!timestamp x."""
     import yaml
 
+    kind = node.tag.rpartition(":")[2]
     try:
-        loader.construct_object(node)
+        value = loader.construct_object(node)
     except yaml.YAMLError:
         raise
     except Exception as error:  # PyYAML's constructors raise whatever they stumble over
         where = f"{file}:{node.start_mark.line + 1}: {dotted(place)}{shorten(node.value)}"
-        kind = node.tag.rpartition(":")[2]
         long = f" of at most {MOST_DIGITS} digits" if kind == "int" else ""
         raise TaskError(f"{where}: should be a value of type {kind}{long}") from error
+    if kind in ("int", "float") and (hint := _in_decimals(node.value)):
+        where = f"{file}:{node.start_mark.line + 1}: {dotted(place)}{node.value}"
+        raise TaskError(f"{where}: YAML reads this as {value}; {hint}, or put text in quotes")
+
+
+def _in_decimals(number: str) -> str:
+    """Returns what to write in place of 010 or 1:30, which YAML 1.1 reads in base 8 and 60."""
+    if len(number) > MOST_DIGITS:  # is refused as too large
+        return ""
+    if ":" in number:
+        return "write minutes and seconds as one number"
+    octal = re.fullmatch("([-+]?)0+([0-7_]+)", number)
+    return f"write {octal[1]}{octal[2]}" if octal else ""
 
 
 def check_yaml(text: str, file: str, loader: Any) -> None:
