@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -191,6 +192,33 @@ def test_stock_srdf_is_read_and_its_faults_are_told(folder):
         gripper.group("ghost")
     with pytest.raises(ValueError, match="state 'wide' cannot be used: .*9 is outside its limits"):
         gripper.state("wide")
+
+
+def with_limits(folder, limits, kind="revolute"):
+    file = folder / "my_arm/urdf/arm.urdf"
+    text = ARM.replace("floating", "fixed").replace("revolute", kind)
+    assert 'lower="-2" upper="2"' in text
+    file.write_text(text.replace('lower="-2" upper="2"', limits))
+    return resolved(folder, {"urdf": str(file)})
+
+
+def test_limits_in_degrees_are_told(folder):
+    text = r"robot.urdf: .*arm.urdf: joint 'turn' turns from -170 to 170 rad; limits in a URDF are"
+    with pytest.warns(UserWarning, match=text):
+        build_robot(*with_limits(folder, 'lower="-170" upper="170"'))
+
+
+@pytest.mark.parametrize("kind", ["continuous", "prismatic"])
+def test_limits_of_other_joints_are_not_told(folder, kind):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        build_robot(*with_limits(folder, 'lower="-170" upper="170"', kind))
+
+
+def test_limits_too_large_to_compute_with_are_refused(folder):
+    text = r"robot.urdf: .*: joint 'turn' has a limit of -1e\+308: should lie in \[-1e\+30, 1e\+"
+    with pytest.raises(TaskError, match=text):
+        build_robot(*with_limits(folder, 'lower="-1e308" upper="1e308"'))
 
 
 @pytest.mark.filterwarnings("ignore:.*treated as fixed")

@@ -17,6 +17,7 @@ from .._xml import parse
 from .meshes import is_mesh, mesh_files, mesh_path
 from .shapes import Fields, Pose, pose_matrix
 from .source import Source, at
+from .units import require_limits, warn_of_limits
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -132,14 +133,18 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
         except ValueError as error:
             text = str(error).removeprefix("X_WB ")
             raise source.error(_place(str(error), source), text) from None
-    if warn and built.warnings and field != "urdf_text":  # a plan was made in spite of them
-        more = (
-            f" and {len(built.warnings) - 1} more (Robot.warnings)"
-            if len(built.warnings) > 1
-            else ""
-        )
-        source.warn(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
+    require_limits(built, ("robot", field), source)
+    if warn and field != "urdf_text":  # a plan was made in spite of them
+        _warn_of_what_was_ignored(built, source)
+        warn_of_limits(built, ("robot", field), source)
     return built
+
+
+def _warn_of_what_was_ignored(built: robots.Robot, source: Source) -> None:
+    if not built.warnings:
+        return
+    more = f" and {len(built.warnings) - 1} more (Robot.warnings)" if built.warnings[1:] else ""
+    source.warn(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
 
 
 def _place(fault: str, source: Source) -> tuple[str, str]:
