@@ -5,6 +5,7 @@
 import re
 
 import pytest
+import trimesh
 
 import inspect_common as small
 from graspless import cli, robot, scene
@@ -107,6 +108,25 @@ def test_check_of_a_bare_arm_says_how_it_gets_a_hand(tmp_path, capsys):
     said = capsys.readouterr().err
     assert "no joint moves a finger" in said
     assert "`graspless robot join ARM GRIPPER --mount LINK` adds a gripper" in said
+
+
+@pytest.mark.parametrize(
+    ("shape", "more"),
+    [
+        ('<mesh filename="part.stl"/>', ': a mesh in millimetres needs scale="0.001 0.001 0.001"'),
+        ('<box size="24 46 23"/>', ""),
+        ('<mesh filename="part.stl" scale="0.001 0.001 0.001"/>', None),
+    ],
+)
+def test_links_in_millimetres_are_told(tmp_path, capsys, shape, more):
+    trimesh.creation.box((24, 46, 23)).export(tmp_path / "part.stl")
+    arm = small.base() + small.arm() + small.link("tool", shape=shape)
+    arm += small.joint("flange", "fixed", "wrist", "tool")
+    (tmp_path / "arm.urdf").write_text(small.robot("arm", arm))
+    assert cli.main(["robot", "check", str(tmp_path / "arm.urdf")]) == 2
+    told = "link 'tool' has a collision shape of 24 x 46 x 23 m; lengths are in metres"
+    said = capsys.readouterr().err
+    assert (f"{told}{more}\n" in said) if more is not None else told not in said
 
 
 def test_a_finger_without_shapes_is_named():

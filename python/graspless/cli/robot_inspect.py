@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import argparse
 
     from ..robot import Robot
+    from ..tasks.source import Source
 
 PORT = 8080
 EXAMPLE = "example: graspless robot inspect panda.urdf -o panda"
@@ -69,7 +70,22 @@ def read_robot(options: argparse.Namespace, command: str) -> tuple[Robot, Path]:
     resolved, path = resolve_robot(robots.Robot.model_validate(fields), given, Path())
     assert path is not None
     require_used(options, path)
-    return robots.build_robot(resolved, given), path
+    robot = robots.build_robot(resolved, given)
+    _warn_of_sizes(robot, given, field)
+    return robot, path
+
+
+def _warn_of_sizes(robot: Robot, given: Source, field: str) -> None:
+    """Warns of collision shapes that look like millimetres."""
+    from ..inspection.points import large_shapes
+
+    found = large_shapes(robot)
+    if found:
+        link, size, is_mesh = found[0]
+        more = f", and {len(found) - 1} more are like it" if len(found) > 1 else ""
+        hint = ': a mesh in millimetres needs scale="0.001 0.001 0.001"' if is_mesh else ""
+        shape = f"link '{link}' has a collision shape of {' x '.join(f'{n:.3g}' for n in size)} m"
+        given.warn(("robot", field), f"{shape}{more}; lengths are in metres{hint}")
 
 
 def require_used(options: argparse.Namespace, *urdfs: Path) -> None:

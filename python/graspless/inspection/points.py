@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .._core.robot import Robot
     from ..frames import Matrix
 
+LARGEST = 5.0  # of a shape of a robot [m]
 CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
 
 
@@ -53,3 +54,14 @@ def link_points(robot: Robot) -> dict[int, Matrix]:
         points = frames.transform(np.asarray(placed.X_BG), shape_points(placed.shape))
         parts.setdefault(link, []).append(points)
     return {link: np.vstack(points) for link, points in parts.items()}
+
+
+def large_shapes(robot: Robot) -> list[tuple[str, Matrix, bool]]:
+    """Returns the shapes longer than LARGEST: their links, sizes [3] and True of meshes."""
+    found = []
+    for link, placed in robot.shapes:
+        size = np.ptp(shape_points(placed.shape), axis=0)
+        if size.max() > LARGEST:
+            is_mesh = isinstance(placed.shape, (geometry.Convex, geometry.Mesh))
+            found.append((robot.frame_names[link], size, is_mesh))
+    return found
