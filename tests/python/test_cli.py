@@ -169,6 +169,9 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["check", "none.json"], "none.json: cannot be read"),
         (["check", "task.yaml"], "task.yaml: this is a task, not a plan; graspless plan reads it"),
         (["check", "task.json"], "task.json: this is a task, not a plan; graspless plan reads it"),
+        (["view", "pick.yaml"], "pick.yaml: this is a task, not a plan; graspless pick reads it"),
+        (["view", "seen.yaml"], "seen.yaml: this is a scene, not a plan; graspless pick reads it"),
+        (["plan", "seen.yaml"], "kind: scene: is read by `graspless pick`, with the name of an"),
         (["plan", "plan.json"], "plan.json: this is a plan, not a task; graspless check reads it"),
         (["check", "words.txt"], "words.txt:1: not valid JSON"),
         (["view", "none.json"], "none.json: cannot be read"),
@@ -188,6 +191,8 @@ def test_check_says_what_does_not_hold(task, capsys):
 def test_bad_input_exits_2_with_one_message(task, capsys, arguments, what):
     pathlib.Path("words.txt").write_text("nothing of ours")
     pathlib.Path("task.json").write_text('{"kind": "slide", "robot": {}}')
+    pathlib.Path("pick.yaml").write_text("kind: pick\nscene: seen.yaml")
+    pathlib.Path("seen.yaml").write_text("kind: scene\nsupports: []")
     pathlib.Path("a.urdf").write_text("<robot/>")
     pathlib.Path("scene.npz").write_bytes(b"")
     pathlib.Path("plan.json").write_text('{"format": 1, "segments": []}')

@@ -99,7 +99,12 @@ def plan_of(document: dict[str, Any], where: str) -> Plan:
     return plan
 
 
-_TASK = "{}: this is a task, not a plan; graspless plan reads it"
+_OTHERS = {"pick": ("task", "pick"), "scene": ("scene", "pick")}  # what it is, who reads it
+
+
+def _no_plan(file: str, kind: Any) -> TaskError:
+    what, command = _OTHERS.get(str(kind), ("task", "plan"))
+    return TaskError(f"{file}: this is a {what}, not a plan; graspless {command} reads it")
 
 
 def _parsed(text: str, file: str) -> dict[str, Any]:
@@ -108,13 +113,13 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
     except RecursionError:
         raise TaskError(f"{file}: not valid JSON: nested too deeply") from None
     except ValueError as error:
-        if _is_task(text):
-            raise TaskError(_TASK.format(file)) from None
+        if kind := _kind_of_task(text):
+            raise _no_plan(file, kind) from None
         if isinstance(error, json.JSONDecodeError):
             raise TaskError(f"{file}:{error.lineno}: not valid JSON: {error.msg}") from None
         raise TaskError(f"{file}: not a plan file: {error}") from None
     if isinstance(data, dict) and "kind" in data and not {"format", "segments"} & set(data):
-        raise TaskError(_TASK.format(file))
+        raise _no_plan(file, data["kind"])
     if not isinstance(data, dict) or "format" not in data:
         raise TaskError(f"{file}: not a plan file: has no 'format'")
     if data["format"] != 1:
@@ -160,14 +165,14 @@ def _loaded(text: str) -> Any:
         return json.loads(text, parse_constant=_refuse, parse_int=_integer)
 
 
-def _is_task(text: str) -> bool:
-    """Returns True if text that is not JSON is a task."""
+def _kind_of_task(text: str) -> Any:
+    """Returns the kind of a task in text that is not JSON; None if it is no task."""
     if text.lstrip().startswith("{"):  # a plan that was cut short would be slow to read as YAML
-        return False
+        return None
     try:
-        return "kind" in parse_yaml(text, "").data
+        return parse_yaml(text, "").data.get("kind")
     except TaskError:
-        return False
+        return None
 
 
 def _integer(text: str) -> int | str:

@@ -69,6 +69,8 @@ def task_kind(source: Source) -> TaskKind:
         raise TaskError(f"{source.where(('kind',))}missing; should be {choices}")
     if name == "pick":
         raise source.error(("kind",), "is planned by `graspless pick`, with this file")
+    if name == "scene":
+        raise source.error(("kind",), "is read by `graspless pick`, with the name of an object")
     if name not in KINDS:
         raise source.error(("kind",), f"should be {choices}{suggestion(name, KINDS)}")
     with uncounted():
