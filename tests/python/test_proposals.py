@@ -11,6 +11,7 @@ import yaml
 import graspless
 import inspect_common as small
 from graspless import TaskError, load_task, robot
+from tasks_common import run
 
 CARD = """
 kind: slide
@@ -71,6 +72,35 @@ def test_the_note_says_what_is_used(folder):
     assert task.problem.hand.wrist_stiffness == 900
     assert "no SRDF: proposed arm of 6 joints; fingertip left_fingertip; open slide_left" in note
     assert "finger_model" not in note
+
+
+CHAIN = """
+kind: chain
+robot: {urdf: mine.urdf}
+object:
+  name: card
+  rectangle: {size: [0.1, 0.06]}
+  thickness: 0.003
+  pose: {x: 0.42, y: 0.05, yaw: 0.3}
+support: {rectangle: {center: [0.45, 0.0], size: [0.4, 0.5]}}
+stages:
+  - {name: to the edge, kind: slide}
+"""
+
+
+@pytest.mark.parametrize("text", [CARD, CHAIN])
+def test_the_note_is_printed_once(folder, capsys, monkeypatch, text):
+    """The plan file keeps it."""
+    monkeypatch.chdir(folder)
+    (folder / "mine.srdf").unlink()
+    (folder / "card.yaml").write_text(text)
+    code, out, err = run(capsys, "plan", "card.yaml", "--seed", "1")
+    assert code == 0, out
+    note = "no SRDF: proposed arm of 6 joints"
+    assert (out.count(note), err.count(note)) == (0, 1)
+    written = graspless.load_plan("plan.json")
+    (stage,) = getattr(written, "stages", [written])
+    assert stage.warnings[0].startswith(note)
 
 
 def test_a_clasp_is_told_of_its_own_hand(found):
