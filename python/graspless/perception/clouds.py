@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._core.perception import Camera, View
+from ..errors import warn
+from . import sparse
 from .rendering import look_at
 
 if TYPE_CHECKING:
@@ -23,6 +25,9 @@ _WIDEST = math.radians(120)  # field of view of the image of a cloud
 _NARROWEST = math.radians(5)  # of any image: see View
 _MOST, _FEWEST = 640, 64  # pixels along its side
 _FARTHEST = 1e9  # coordinates [m]
+_SPARSE = 0.3  # share of gaps from which on they are bridged
+_OPEN = 0.05  # share of gaps that may remain
+_GROWTH = 1.15  # of the pixels, until the rest is bridged
 
 
 def average(depths: Sequence[ArrayLike]) -> Matrix:
@@ -106,7 +111,9 @@ def view_of_organized(points: ArrayLike, X_WC: ArrayLike) -> View:
 def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
     """Returns the depth image of a plain cloud, as seen from where the camera was.
 
-    A pixel of the image is about as large as the spacing of the points.
+    A pixel of the image is about as large as the spacing of the points. Where points are much
+    farther apart than elsewhere, as on the nearest surfaces of a voxel grid, the gaps between those
+    of one surface are bridged, with a warning.
 
     Parameters
     ----------
@@ -149,16 +156,51 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
             f"{math.degrees(_NARROWEST):g}; both must be in metres, in the same frame"
         )
     # As many pixels as points, over the rectangle that they fill.
-    side = np.sqrt(4 * slopes[0] * slopes[1] / len(cloud))
+    side = float(np.sqrt(4 * slopes[0] * slopes[1] / len(cloud)))
+    size, K = _camera(slopes, side)
+    depth = np.full((size[1], size[0]), np.inf)
+    uv = np.rint(_pixels(p_CP, K)).astype(int)
+    uv = np.clip(uv, 0, np.array(size) - 1)
+    np.minimum.at(depth, (uv[:, 1], uv[:, 0]), p_CP[:, 2])
+    if (gaps := sparse.gaps_of(depth)).share > _SPARSE:
+        _warn_of_spacing(gaps, K)
+        depth, K = _closed(p_CP, slopes, side)
+    return View(np.where(np.isfinite(depth), depth, 0.0), K, X_WC)
+
+
+def _camera(slopes: Matrix, side: float) -> tuple[list[int], Matrix]:
+    """Returns width, height and matrix of the image whose pixels have this side at distance 1."""
     size = [int(np.clip(2 * slope / side, _FEWEST, _MOST)) for slope in slopes]
     camera = Camera(size[0], size[1], 2 * math.atan(slopes[0] * 1.02))
     K = camera.K.copy()
     K[1, 1] = size[1] / (2 * slopes[1] * 1.02)
-    depth = np.full((size[1], size[0]), np.inf)
-    uv = np.rint(p_CP[:, :2] / p_CP[:, 2:] * [K[0, 0], K[1, 1]] + K[:2, 2]).astype(int)
-    uv = np.clip(uv, 0, np.array(size) - 1)
-    np.minimum.at(depth, (uv[:, 1], uv[:, 0]), p_CP[:, 2])
-    return View(np.where(np.isfinite(depth), depth, 0.0), K, X_WC)
+    return size, K
+
+
+def _pixels(p_CP: Matrix, K: Matrix) -> Matrix:
+    return np.asarray(p_CP[:, :2] / p_CP[:, 2:] * [K[0, 0], K[1, 1]] + K[:2, 2])
+
+
+def _closed(p_CP: Matrix, slopes: Matrix, side: float) -> tuple[Matrix, Matrix]:
+    """Returns the image of a sparse cloud, with the least pixels whose gaps can be bridged."""
+    while True:
+        size, K = _camera(slopes, side)
+        points = sparse.nearest_points(_pixels(p_CP, K), p_CP[:, 2], size)
+        pitch = float(1 / min(K[0, 0], K[1, 1]))
+        depth = sparse.bridged(points.depth, pitch)
+        side *= _GROWTH
+        if sparse.gaps_of(depth).share <= _OPEN or 2 * slopes.min() / side < _FEWEST:
+            return sparse.resampled(points, depth, pitch), K
+
+
+def _warn_of_spacing(gaps: sparse.Gaps, K: Matrix) -> None:
+    pixel = 1000 * gaps.depth / math.sqrt(K[0, 0] * K[1, 1])
+    spacing = pixel / math.sqrt(max(1 - gaps.share, 0.01))
+    warn(
+        f"points are about {spacing:.2g} mm apart at {gaps.depth:.2g} m from the viewpoint, as in "
+        "a voxel grid: outlines may be off by thrice that, and small or thin objects missed, "
+        "whatever least_thickness says; give the raw cloud, or smaller voxels"
+    )
 
 
 __all__ = ["average", "view_of_cloud", "view_of_organized"]
