@@ -190,6 +190,27 @@ def test_see_averages_frames_and_joins_views(folder, capsys):
     assert len(json.loads(capsys.readouterr().out)["objects"]) == 3
 
 
+def test_a_file_of_other_origin_beside_the_scene_is_kept(folder, capsys):
+    def see(*flags):
+        assert main(["see", str(folder / "frame.npz"), "-o", str(folder / "own.yaml"), *flags]) == 0
+        return capsys.readouterr().out
+
+    aside = folder / "own.npz~"
+    image = (folder / "frame.npz").read_bytes()
+    (folder / "own.npz").write_bytes(image)
+    assert see().endswith(f"kept: {aside}, as it was before\n")
+    assert aside.read_bytes() == image
+    (folder / "own.yaml").write_text((folder / "own.yaml").read_text() + "# mine\n")
+    assert json.loads(see("--json"))["kept"] == []  # its own points again
+    old = perception.load_scene(folder / "own.yaml")
+    parts = {"supports": old.supports, "objects": old.objects[:1], "unseen": [], "warnings": []}
+    new = perception.Scene(status=old.status, reason=old.reason, **parts)
+    assert perception.save_scene(new, folder / "own.yaml") is None
+    assert aside.read_bytes() == image
+    (folder / "own.npz").write_bytes(image)
+    assert json.loads(see("--json"))["kept"] == [str(aside)]
+
+
 def test_bad_files_are_refused(folder, capsys):
     def refused(*arguments):
         assert main(["see", *map(str, arguments), "-o", str(folder / "x.yaml")]) == 2

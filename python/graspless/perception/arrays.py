@@ -4,13 +4,17 @@
 
 from __future__ import annotations
 
+import io
 import zipfile
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import files
+from ..tasks.meshes import checksum
+
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Collection, Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -45,4 +49,22 @@ def read_arrays(
         return {name: arrays[name] for name in arrays.files if wanted is None or name in wanted}
 
 
-__all__ = ["read_arrays"]
+def packed(arrays: Mapping[str, Any]) -> bytes:
+    """Returns the content of an .npz file."""
+    content = io.BytesIO()
+    np.savez_compressed(content, **arrays)
+    return content.getvalue()
+
+
+def keep_other(path: Path, content: bytes, scene: Path) -> Path | None:
+    """Sets a file aside that `content` would replace, unless it belongs to the scene file.
+
+    Returns its new path, or None if nothing would be lost.
+    """
+    if not path.is_file() or path.read_bytes() == content:
+        return None
+    is_own = scene.is_file() and checksum(path) in scene.read_text(errors="replace")
+    return None if is_own else files.set_aside(path)
+
+
+__all__ = ["keep_other", "packed", "read_arrays"]

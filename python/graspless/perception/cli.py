@@ -50,7 +50,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--output",
         metavar="FILE",
         default="scene.yaml",
-        help="scene file to write, with an .npz file beside it (default: %(default)s)",
+        help="scene file to write, with an .npz file beside it; another file of that name is kept "
+        "as NAME~ (default: %(default)s)",
     )
     parser.add_argument(
         "--stamp",
@@ -91,15 +92,17 @@ def _run(options: argparse.Namespace) -> int:
     except ValueError as error:
         raise TaskError(f"{', '.join(options.files)}: {error}") from None
     scene.stamp = options.stamp
-    perception.save_scene(scene, options.output)
+    kept = perception.save_scene(scene, options.output)
     if options.png is not None:
         view.write_scene_png(scene, options.png)
     if options.json:
-        print(json.dumps(_summary(scene)))
+        print(json.dumps(_summary(scene) | {"kept": [str(kept)] if kept else []}))
     else:
         print("\n".join(_lines(scene)))
         written = [options.output, *([] if options.png is None else [options.png])]
         print(f"written: {', '.join(written)}")
+        if kept is not None:
+            print(f"kept: {kept}, as it was before")
     return FOUND if scene else NOT_FOUND
 
 

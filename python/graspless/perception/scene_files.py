@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import hashlib
-import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -28,7 +27,7 @@ from ..tasks.shapes import (
     pose_matrix,
 )
 from ..tasks.source import Source
-from .arrays import read_arrays
+from .arrays import keep_other, packed, read_arrays
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -125,7 +124,7 @@ class SceneFields(Fields):
         return self
 
 
-def save_scene(scene: Scene, path: str | Path) -> None:
+def save_scene(scene: Scene, path: str | Path) -> Path | None:
     """Writes a scene file, and the points of its objects to an .npz file beside it.
 
     Parameters
@@ -133,6 +132,11 @@ def save_scene(scene: Scene, path: str | Path) -> None:
     scene : Scene
     path : str or Path
         .yaml file to write. The other file has the same name with the ending .npz.
+
+    Returns
+    -------
+    Path or None
+        An .npz file of other origin that had this name, kept under its name with ``~``.
 
     Raises
     ------
@@ -154,8 +158,8 @@ def save_scene(scene: Scene, path: str | Path) -> None:
             {"behind": space.behind, "vertices": _rounded(space.vertices)} for space in scene.unseen
         ],
     }
+    kept = None
     if scene.objects:
-        packed = io.BytesIO()
         clouds: dict[str, Any] = {
             thing.name: thing.points.astype(np.float32) for thing in scene.objects
         }
@@ -163,11 +167,12 @@ def save_scene(scene: Scene, path: str | Path) -> None:
             for i, image in enumerate(thing.rays):
                 clouds[_name_of(thing.name, i)] = image.ends
                 clouds[_name_of(thing.name, i, CLEAR)] = image.clear
-        np.savez_compressed(packed, **clouds)
-        files.write(path.with_suffix(".npz"), packed.getvalue())
-        document["points"] = path.with_suffix(".npz").name
-        document["points_sha256"] = hashlib.sha256(packed.getvalue()).hexdigest()
+        content, arrays = packed(clouds), path.with_suffix(".npz")
+        kept = keep_other(arrays, content, path)
+        files.write(arrays, content)
+        document |= {"points": arrays.name, "points_sha256": hashlib.sha256(content).hexdigest()}
     files.write(path, yaml.safe_dump(document, sort_keys=False, default_flow_style=None, width=110))
+    return kept
 
 
 def load_scene(path: str | Path) -> Scene:
