@@ -235,6 +235,12 @@ def test_a_scene_takes_its_own_points_only(scene, tmp_path):
     ("depth", "K", "X", "words"),
     [
         (np.ones(5), FRAME.K, X_WC, r"depth has shape \(5,\)"),
+        (
+            FRAME.depth[..., None],
+            FRAME.K,
+            X_WC,
+            r"depth has shape \(480, 640, 1\); .* depth\[..., 0\]",
+        ),
         (np.full((480, 640), "a"), FRAME.K, X_WC, "depth has values of type"),
         (FRAME.depth, np.eye(4), X_WC, r"K has shape \(4, 4\)"),
         (FRAME.depth, np.eye(3), X_WC, "K's horizontal principal point is 0"),

@@ -90,6 +90,11 @@ def _arrays(depth: ArrayLike, K: Any, X_WC: ArrayLike) -> list[View]:
         raise ValueError(f"depth has values of type {images.dtype}; it must have numbers in metres")
     if images.ndim not in (2, 3):
         raise ValueError(f"depth has shape {images.shape}; it must have shape (H, W) or (N, H, W)")
+    if images.ndim == 3 and images.shape[2] == 1:
+        raise ValueError(
+            f"depth has shape {images.shape}; it must have shape (H, W) or (N, H, W): "
+            "give depth[..., 0]"
+        )
     if K is None:
         raise ValueError("K must be given with a depth image: the camera matrix [pixels]")
     count = 1 if images.ndim == 2 else len(images)
