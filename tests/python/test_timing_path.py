@@ -126,7 +126,29 @@ def test_rows_that_do_not_move_are_passed():
     timed = clip(points, whole(points, limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
     assert timed.rows[-1] == 5
     assert (np.diff(timed.rows) >= 0).all()
+    halves = np.interp(timed.rows, np.arange(6), points[:, 0])
+    np.testing.assert_allclose(halves, timed.coordinates[:, 0], atol=1e-9)
     for rows in (points[:2], points[:1]):
         still = clip(rows, whole(rows, limits_of(1, 1.0, 1.0)), rate=Rate(100.0))
         assert len(still.times) == 1
         np.testing.assert_array_equal(still.velocities, [[0.0]])
+
+
+@pytest.mark.parametrize("doubled", [[2], [0], [1, 2], [2, 2], [3], [0, 1, 2, 3, 4]])
+@pytest.mark.parametrize("way", ["corner", "ahead", "back"])
+def test_a_part_ends_where_its_last_row_is_in_spite_of_equal_rows(doubled, way):
+    onward = {"corner": [0.0, 1.0], "ahead": [1.0, 0.0], "back": [-1.0, 0.0]}[way]
+    last = np.array([1.0, 0.0])
+    once = np.array([[0.0, 0.0], [0.5, 0.0], last, last + 0.5 * np.array(onward), last + onward])
+    numbers = np.sort([*range(5), *doubled])
+    points = once[numbers]
+    for mark in np.flatnonzero(numbers == 2).tolist():
+        fast, slow = limits_of(2, 1.0, 5.0, 250.0), limits_of(2, 0.2, 5.0, 250.0)
+        far, near = np.full(2, 1e-3), np.full(2, 1e-4)
+        zones = [Zone(slice(0, mark + 1), fast, far), Zone(slice(mark, len(points)), slow, near)]
+        marks = [mark, len(points) - 1]
+        first, second = split(clip(points, zones, Rate(100.0), marks[:-1]), marks)
+        assert [first.rows[-1], second.rows[-1]] == [mark, len(points) - 1 - mark]
+        np.testing.assert_allclose(first.coordinates[-1], last, atol=1e-4)
+        assert np.abs(first.velocities).max() > 0.9
+        assert np.abs(second.velocities).max() <= 0.2 * (1 + 1e-6)

@@ -77,9 +77,8 @@ def bounds(path: Path, zones: Sequence[Zone], s: Matrix, *, paces: bool = True) 
     """Returns the limits at `s` [N]; where two zones meet, the stricter ones."""
     none = np.full((len(s), path.curve.c.shape[2]), np.inf)
     found = Bounds(none, none.copy(), none.copy(), np.zeros(len(s)))
-    rows = path.row(s)
     for zone in zones:
-        here = (rows >= zone.rows.start) & (rows <= zone.rows.stop - 1)
+        here = (s >= path.place(zone.rows.start)) & (s <= path.place(zone.rows.stop - 1))
         for name in ("velocity", "acceleration", "jerk"):
             values = getattr(found, name)
             values[here] = np.minimum(values[here], getattr(zone.limits, name))

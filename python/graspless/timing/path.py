@@ -32,7 +32,7 @@ class Path:
     knots : array [K]
         Values of the parameter at the rows, from 0.
     rows : array [K]
-        Indices of these rows, without rows that are equal to the row before.
+        Indices of these rows: of equal rows the first and the last, whose knots are the same.
     curve : PPoly
         From the parameter to the coordinates.
     """
@@ -52,8 +52,8 @@ class Path:
         return values
 
     def row(self, s: Matrix) -> Matrix:
-        """Returns fractional rows [N] at `s` [N]."""
-        return np.interp(s, self.knots, self.rows)
+        """Returns fractional rows [N] at `s` [N]: the last of equal ones, but at 0 the first."""
+        return np.where(s > 0, np.interp(s, self.knots, self.rows), self.rows[0])
 
     def place(self, row: float) -> float:
         """Returns the parameter at a fractional row."""
@@ -74,9 +74,9 @@ class Path:
 
 def stretches(points: Matrix) -> list[slice]:
     """Splits rows [N, n] at reversals, where a path must come to rest."""
-    rows, _, directions = _legs(points)
+    runs, _, _, directions = _legs(points)
     cosines = np.einsum("ij,ij->i", directions[1:], directions[:-1])
-    cuts = [0, *(rows[1:-1][cosines < REVERSAL].tolist()), len(points) - 1]
+    cuts = [0, *(runs[1:-1, 1][cosines < REVERSAL].tolist()), len(points) - 1]
     return [slice(a, b + 1) for a, b in zip(cuts, cuts[1:], strict=False)]
 
 
@@ -85,40 +85,45 @@ def rounded(points: Matrix, tolerance: Matrix) -> Path | None:
 
     None if the rows do not move.
     """
-    rows, lengths, directions = _legs(points)
-    if len(rows) < 2:
+    runs, corners, lengths, directions = _legs(points)
+    if len(runs) < 2:
         return None
     knots = np.concatenate([[0.0], np.cumsum(lengths)])
     breaks, pieces = [0.0], []
     for i, (u, length) in enumerate(zip(directions, lengths, strict=True)):
         bend = 0.0
         if i + 1 < len(lengths):
-            near = tolerance[rows[i + 1]]
+            first, last = runs[i + 1]
+            near = tolerance[first : last + 1].min(axis=0)
             bend = _bend(directions[i + 1] - u, length, lengths[i + 1], near)
         start, end = breaks[-1], knots[i + 1] - bend
         if end - start > 1e-12 * knots[-1]:
-            pieces.append(_straight(points[rows[i]] + u * (start - knots[i]), u))
+            pieces.append(_straight(corners[i] + u * (start - knots[i]), u))
             breaks.append(end)
         else:  # this bend begins where the last one ended
             breaks[-1] = end
         if bend > 0:
-            pieces.append(_rounding(points[rows[i + 1]] - bend * u, u, directions[i + 1], bend))
+            pieces.append(_rounding(corners[i + 1] - bend * u, u, directions[i + 1], bend))
             breaks.append(knots[i + 1] + bend)
     breaks[-1] = knots[-1]
     curve = PPoly(np.stack(pieces, axis=1), np.array(breaks), extrapolate=True)
-    return Path(knots, rows.astype(float), curve)
+    rows, kept = np.unique(runs, return_index=True)
+    return Path(np.repeat(knots, 2)[kept], rows.astype(float), curve)
 
 
-def _legs(points: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """Returns the rows that differ from the row before, and lengths and directions between them."""
+def _legs(points: Matrix) -> tuple[Matrix, Matrix, Matrix, Matrix]:
+    """Splits rows [N, n] into runs of equal ones.
+
+    Returns the first and the last row of each run [K, 2], their coordinates [K, n], and lengths
+    and directions between them.
+    """
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     moving = np.flatnonzero(steps > 1e-9)
-    rows = np.array([0, *(moving + 1)])
-    if len(moving):
-        rows[-1] = len(points) - 1
-    legs = np.diff(points[rows], axis=0)
+    runs = np.stack([[0, *(moving + 1)], [*moving, len(points) - 1]], axis=1)
+    corners = np.concatenate([points[runs[:-1, 0]], points[-1:]])
+    legs = np.diff(corners, axis=0)
     lengths = np.linalg.norm(legs, axis=1)
-    return rows, lengths, legs / lengths[:, None]
+    return runs, corners, lengths, legs / lengths[:, None]
 
 
 def _bend(change: Matrix, before: float, after: float, tolerance: Matrix) -> float:
