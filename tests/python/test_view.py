@@ -13,13 +13,14 @@ import pytest
 
 import graspless
 from browser_common import served
-from graspless import Task, TaskError, cli, frames, slide
+from graspless import Task, TaskError, cli, frames, geometry, planning, slide
 from graspless._data import directory
 from tasks_common import changed, last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
 pytest.importorskip("viser")
 
+from matplotlib.colors import to_rgb  # noqa: E402
 from matplotlib.path import Path  # noqa: E402
 
 from graspless import view  # noqa: E402
@@ -31,6 +32,7 @@ from graspless.view.slide import stage  # noqa: E402
 from graspless.view.slide.film import film  # noqa: E402
 
 EXAMPLES = directory("examples")
+OBSTACLE = to_rgb(pictures.OBSTACLE)
 OBSTACLES = """obstacles:
   - {name: mug, cylinder: {radius: 0.04, length: 0.1}, pose: {position: [0.85, 0.2, 0.05]}}
   - {name: a/b, box: [0.1, 0.1, 0.1], pose: {position: [0.85, -0.2, 0.05]}}
@@ -81,6 +83,22 @@ def test_overhang_is_written_beside_the_lines_of_the_table():
     table = Path(np.asarray(found.task.problem.support.polygon.vertices), closed=True)
     drawn = axes.transData.transform_path(table)
     assert not drawn.intersects_bbox(text.get_window_extent(), filled=False)
+
+
+def test_every_part_of_an_obstacle_is_drawn_from_above(plan):
+    def at(x):
+        return geometry.PlacedShape(geometry.Box([0.05, 0.05, 0.05]), frames.translation([x, 0, 0]))
+
+    given = plan.task.problem
+    gate = slide.Obstacle("gate", [at(0.4), at(0.9)], frames.translation([0.0, -0.7, 0.3]))
+    problem = slide.Problem(
+        given.robot, given.hand, given.object, given.support, given.X_WO_start, given.q_home, [gate]
+    )
+    axes = pictures.draw(slide.plan(problem, budget=planning.Budget(iterations=0))).axes[0]
+    drawn = [patch.get_xy()[:, 0] for patch in axes.patches if patch.get_fc()[:3] == OBSTACLE]
+    spans = sorted([x.min(), x.max()] for x in drawn)
+    np.testing.assert_allclose(spans, [[0.375, 0.425], [0.875, 0.925]], atol=1e-9)
+    assert [text.get_text() for text in axes.texts] == ["gate"]
 
 
 def test_replay_is_small_and_whole(html):

@@ -11,6 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.path import Path
 
+from ... import frames
 from .. import raster
 from ..bodies import OBJECT, obstacles
 from ..figures import INK, draw_panel, new_figure
@@ -109,12 +110,12 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     for core in [] if is_left else getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
         _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
-    rings: dict[str, Matrix] = {}
+    rings: dict[str, Matrix] = {}  # the largest of each obstacle
     for body, X_WB in obstacles(task):
-        points = body.parts[0].vertices @ X_WB[:3, :3].T + X_WB[:3, 3]
-        ring = _hull((points @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2])
-        _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=3)
-        rings[body.name] = ring
+        of_parts = [_hull(frames.transform(X_SW @ X_WB, p.vertices)[:, :2]) for p in body.parts]
+        for ring in of_parts:
+            _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=3)
+        rings[body.name] = max(of_parts, key=_area)
     outline = np.asarray(thing.outline.vertices)
     poses = [X_SW @ X_WO for X_WO in _along(shown)]
     for k, X_SO in enumerate(poses):
@@ -155,9 +156,12 @@ def _name_obstacles(axes: Any, rings: dict[str, Matrix]) -> None:
 
 def _is_wide(ring: Matrix) -> bool:
     """True unless an outline is a bar, which fills little of the box around it."""
+    return _area(ring) > 0.5 * float(np.prod(np.ptp(ring, axis=0)))
+
+
+def _area(ring: Matrix) -> float:
     x, y = ring.T
-    area = abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
-    return area > 0.5 * float(np.prod(np.ptp(ring, axis=0)))
+    return abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1))) / 2
 
 
 def _frame(axes: Any, points: Matrix) -> None:
