@@ -8,16 +8,18 @@ import pytest
 import graspless
 from clasp_common import PURSE
 from fingertip_common import PUSH
-from graspless import frames, view
+from graspless import TaskError, frames, view
+from graspless._data import directory
 from graspless.simulation.results import Recording
 from graspless.tasks import read_task
-from tasks_common import GOOD, last_positions, recording
+from tasks_common import GOOD, last_positions, pixels, read_png, recording
 
 pytest.importorskip("viser")
 
-from graspless.view import clock, film, film_stage, replay  # noqa: E402
+from graspless.view import bodies, clock, film, film_stage, replay  # noqa: E402
 from graspless.view import server as servers  # noqa: E402
 
+BY_AN_ARM = (directory("examples") / "12_t42_tumble.yaml").read_text()
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {
     "slide": {"robot", "object", "table", "goal", "trail", "contact", "caption"},
@@ -158,6 +160,21 @@ def test_recording_without_the_plans_poses_is_told_of_by_segment(plan, tmp_path)
     texts = told(replayed(plan, tmp_path, happened)[0]["messages"])
     assert texts[-1] == "raise"
     assert "from the plan" in texts[-2]
+
+
+@pytest.mark.parametrize("text", [GOOD, BY_AN_ARM], ids=["slide", "fingertip by an arm"])
+def test_a_plan_of_a_problem_that_no_file_can_express_is_drawn(text, tmp_path, monkeypatch):
+    plan = graspless.plan(read_task(text, "task.yaml"))
+    assert plan, plan.reason
+
+    def refuse(task):
+        raise TaskError("no task file can express it")
+
+    monkeypatch.setattr(graspless.Task, "fields", property(refuse))
+    with servers.open_server(servers.free_port()) as server:
+        assert "robot" in replay._stage(server, plan, None).layers.handles
+    view.write_png(plan, tmp_path / "a.png")
+    assert len(pixels(read_png(tmp_path / "a.png"), bodies.OBJECT)) > 300
 
 
 def test_distance_from_the_plan_is_that_of_the_center():

@@ -113,9 +113,10 @@ def robot_bodies(robot: Robot, fields: RobotFields | None) -> list[Body]:
 
 
 def robot(task: Task) -> list[Body]:
-    """Returns one body per link of the problem's robot, in the order of Robot.frame_names."""
+    """Returns one body per link of the task's robot, in the order of Robot.frame_names."""
     fields = fields_of(task)
-    return robot_bodies(task.problem.robot, fields and fields.robot)
+    mine = task.problem.robot if task.arm is None else task.arm.robot
+    return robot_bodies(mine, fields and fields.robot)
 
 
 def vertices_of(placed: Iterable[tuple[Body, Matrix]]) -> Matrix:

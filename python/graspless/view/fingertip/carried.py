@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import raster
-from ..bodies import obstacles, robot_bodies, vertices_of
+from ..bodies import obstacles, robot, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -50,12 +50,12 @@ def render(plan: Plan, direction: Matrix, shape: tuple[int, int]) -> list[tuple[
         Width and height of a picture.
     """
     shown = moments(plan)
-    task, robot = plan.task, plan.task.arm.robot
-    links = robot_bodies(robot, task.fields.robot)
+    task = plan.task
+    links = robot(task)
     thing = bodies.object_body(task)
     placed = []
     for segment, row, _ in shown:
-        poses = np.asarray(robot.forward(segment.positions[row]))
+        poses = np.asarray(task.arm.robot.forward(segment.positions[row]))
         there = [(body, X_WL) for body, X_WL in zip(links, poses, strict=True) if body.parts]
         placed.append([*there, (thing, segment.object_poses[row])])
     points = vertices_of(body for scene in placed for body in scene)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..bodies import GHOST, OBJECT, OBSTACLE, obstacles, robot_bodies
+from ..bodies import GHOST, OBJECT, OBSTACLE, obstacles, robot
 from ..clock import tell_pace
 from ..film_stage import apart
 from ..replay import RATE
@@ -183,9 +183,7 @@ class Stage:
         moment = self.shown[0]
         if self.task.arm is None or moment.q is None:
             return
-        robot = self.task.arm.robot
-        self.poses = np.asarray(robot.forward(moment.q))
-        every = enumerate(robot_bodies(robot, self.task.fields.robot))
-        links = [(i, body) for i, body in every if body.parts]
+        self.poses = np.asarray(self.task.arm.robot.forward(moment.q))
+        links = [(i, body) for i, body in enumerate(robot(self.task)) if body.parts]
         handles = self.layers.add_bodies("robot", [(body, self.poses[i]) for i, body in links])
         self.links = [(i, handle) for (i, _), handle in zip(links, handles, strict=True)]

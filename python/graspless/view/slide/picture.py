@@ -89,7 +89,7 @@ def _draw_key(figure: Any, shown: Film) -> None:
         del handles["goal band of the fingertip"]
     if is_left or not shown.plan:
         del handles["edge for the grasp, overhang"]
-    if not shown.plan.task.fields.obstacles:
+    if not obstacles(shown.plan.task):
         del handles["obstacle"]
     figure.legend(
         list(handles.values()), list(handles), loc="lower left", bbox_to_anchor=(0.035, 0.0),
