@@ -8,6 +8,7 @@ import copy
 import json
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -630,6 +631,34 @@ def test_a_search_is_spread_over_updates(plan):
     assert len({budget.seed for budget in searches}) == len(searches)
     looking = [target.velocity for target in world.targets if target.status == "looking"]
     assert np.abs(looking).max() == 0
+
+
+def test_searches_double_as_the_page_says(plan, monkeypatch):
+    """Of docs/howto/closed-loop.md: during the slide and at rest."""
+    asked = []
+
+    class Nothing:
+        status, reason = "not_connected", ""
+
+        def __init__(self, budget):
+            asked.append(budget.seconds)
+            self.statistics = SimpleNamespace(seconds=budget.seconds)
+
+        def __bool__(self):
+            return False
+
+    monkeypatch.setattr(slide, "plan", lambda *given: Nothing(given[2]))
+    monkeypatch.setattr(slide, "resume", lambda *_, budget, **__: Nothing(budget))
+    replanner, q, place = Follower(plan)._replanner, plan.segments[0].positions[0], np.zeros(3)
+    for search, expected in (
+        (lambda: replanner.resume(plan, q, place), [4] * 4 + [8] * 4 + [16] * 4 + [32, 6]),
+        (lambda: replanner.anew(q, place), [4 * 2**k for k in range(8)] + [980]),
+    ):
+        asked.clear()
+        search()
+        while replanner.is_searching:
+            search()
+        np.testing.assert_allclose(asked, np.array(expected) / 1000)
 
 
 def test_a_search_that_never_ends_is_given_up(plan):
