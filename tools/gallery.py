@@ -123,11 +123,11 @@ def _many(name: str) -> Image.Image:
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    from graspless.view.bodies import OBJECT
+    from graspless.view.bodies import OBJECT, TRAIL
     from graspless.view.figures import as_png, draw_panel, new_figure
     from graspless.view.slide import bodies
     from graspless.view.slide.film import film
-    from graspless.view.slide.picture import OUTLINE, TRAIL
+    from graspless.view.slide.picture import OUTLINE
 
     with tempfile.TemporaryDirectory() as folder:
         given, sys.argv = sys.argv, [name, folder, "8"]

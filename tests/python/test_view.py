@@ -7,6 +7,7 @@ import shutil
 import socket
 import time
 import urllib.request
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ from matplotlib.colors import to_rgb  # noqa: E402
 from matplotlib.path import Path  # noqa: E402
 
 from graspless import view  # noqa: E402
-from graspless.view import bodies, raster, visuals  # noqa: E402
+from graspless.view import bodies, figures, raster, visuals  # noqa: E402
 from graspless.view.film import spread, timed  # noqa: E402
 from graspless.view.slide import bodies as slide_bodies  # noqa: E402
 from graspless.view.slide import picture as pictures  # noqa: E402
@@ -74,6 +75,15 @@ def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
     view.write_png(failed, tmp_path / "a.png")
     view.write_html(failed, tmp_path / "a.html")
     assert len(pixels(read_png(tmp_path / "a.png"), bodies.OBJECT)) > 300
+
+
+def test_title_of_a_failure_fits_on_the_page(plan):
+    status, reason = slide.Status.interrupted, f"first {50 * 'one '}; second"
+    failed = SimpleNamespace(task=plan.task, status=status, reason=reason)
+    title = figures.failure(failed)
+    assert title.startswith("card: interrupted: first one")
+    text = figures.panels(title, []).texts[0]
+    assert text.get_window_extent().x1 < text.figure.bbox.x1
 
 
 def test_overhang_is_written_beside_the_lines_of_the_table():

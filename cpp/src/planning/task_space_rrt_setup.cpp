@@ -54,7 +54,7 @@ void TaskSpaceRRT::set_targets(std::vector<Eigen::VectorXd> x) {
 
 void TaskSpaceRRT::set_random_probability(double probability) {
   require_that(probability >= 0 && probability < 1,
-          "random_probability must lie in [0, 1), not " + figure(probability));
+               "random_probability must lie in [0, 1), not " + figure(probability));
   random_probability_ = probability;
 }
 
@@ -91,13 +91,13 @@ void TaskSpaceRRT::check_setup() const {
   require_that(random_task_ != nullptr, "set_random_task() was not called");
   require_that(!targets_.empty(), "set_targets() was not called, or was given no target");
   require_that(tolerance_ || pdef_->getGoal(),
-          "needs set_tolerance() or a goal in the problem definition");
+               "needs set_tolerance() or a goal in the problem definition");
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const std::string name = "targets[" + std::to_string(i) + "]";
     require_that(targets_[i].allFinite(), name + " is not finite");
     require_that(targets_[i].size() == targets_[0].size(),
-            name + " has " + std::to_string(targets_[i].size()) + " coordinates, targets[0] " +
-                std::to_string(targets_[0].size()));
+                 name + " has " + std::to_string(targets_[i].size()) + " coordinates, targets[0] " +
+                     std::to_string(targets_[0].size()));
   }
 }
 
@@ -108,7 +108,7 @@ bool TaskSpaceRRT::read_starts() {
   const Eigen::Index n = targets_[0].size();
   const auto require_size = [&](const std::string& name, Eigen::Index size) {
     require_that(size == n, name + " has " + std::to_string(size) + " coordinates, the targets " +
-                           std::to_string(n));
+                                std::to_string(n));
   };
   project_(starts_[0], x_new_);
   require_size("the projection", x_new_.size());
@@ -116,7 +116,7 @@ bool TaskSpaceRRT::read_starts() {
   if (weights_.size() > 0) {
     require_size("weights", weights_.size());
     require_that(weights_.allFinite() && weights_.minCoeff() >= 0,
-            "weights must be finite and not negative");
+                 "weights must be finite and not negative");
   }
   std::mt19937_64 rng(0);  // a generator of its own, so that this check does not change the search
   random_task_(rng, x_rand_);

@@ -7,16 +7,19 @@ from __future__ import annotations
 import io
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .._plan import Plan
     from ..frames import Matrix
 
 INK = (0.15, 0.17, 0.20)
 DPI = 110  # pixels per inch
+LETTERS = 110  # of a title, at most
 
 
 def new_figure(width: float, height: float, dpi: int = DPI) -> Figure:
@@ -38,6 +41,19 @@ def draw_panel(axes: Any, picture: Matrix, caption: str, **title: Any) -> None:
     axes.imshow(picture, interpolation="antialiased")
     axes.set_title(caption, fontsize=11, color=INK, loc="left", **title)
     axes.set_axis_off()
+
+
+def failure(plan: Plan) -> str:
+    """Returns the title of a plan without motion: the beginning of its reason, on one line."""
+    name, status = plan.task.problem.object.name, str(plan.status).replace("_", " ")
+    return f"{name}: {status}: {plan.reason.split(';')[0]}"[:LETTERS]
+
+
+def hull(points: Matrix) -> Matrix:
+    """Returns corners of the convex hull of points in the plane [N, 2], in order."""
+    from scipy.spatial import ConvexHull
+
+    return np.asarray(points[ConvexHull(points, qhull_options="QJ").vertices])
 
 
 def panels(title: str, shown: Sequence[tuple[Matrix, str]]) -> Figure:

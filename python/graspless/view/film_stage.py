@@ -94,6 +94,5 @@ def apart(X_WP: Matrix, X_WO: Matrix, center: Matrix) -> str:
         Centre of the object, in O [m].
     """
     off = X_WO[:3, :3] @ center + X_WO[:3, 3] - X_WP[:3, :3] @ center - X_WP[:3, 3]
-    w, *xyz = frames.to_quaternion(np.linalg.inv(X_WP) @ X_WO)
-    turn = 2 * np.degrees(np.arctan2(np.linalg.norm(xyz), w))
+    turn = np.degrees(frames.angle(X_WP, X_WO))
     return f"{1000 * np.linalg.norm(off):.1f} mm, {turn:.1f}° from the plan"

@@ -11,7 +11,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
-from .figures import INK, as_png, new_figure
+from .figures import INK, as_png, hull, new_figure
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -48,7 +48,7 @@ def draw(scene: Scene) -> bytes:
 def _draw_support(axes: Any, support: Support, scene: Scene) -> None:
     ring = _in_world(support.X_WS, support.polygon)
     axes.fill(*ring.T, color=TOP, lw=0)
-    hulls = [_hull(space.vertices[:, :2]) for space in scene.unseen if _is_over(space, support)]
+    hulls = [hull(space.vertices[:, :2]) for space in scene.unseen if _is_over(space, support)]
     axes.add_collection(
         PolyCollection(hulls, facecolors="none", edgecolors=HIDDEN, hatch="////", lw=0, alpha=0.45)
     )
@@ -89,9 +89,3 @@ def _is_over(space: Any, support: Support) -> bool:
 
 def _in_world(X: Matrix, corners: Matrix) -> Matrix:
     return np.asarray(corners @ X[:2, :2].T + X[:2, 3])
-
-
-def _hull(points: Matrix) -> Matrix:
-    from scipy.spatial import ConvexHull
-
-    return np.asarray(points[ConvexHull(points, qhull_options="QJ").vertices])

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import timing
+from ... import frames, timing
 from ...tasks.chain.start import off_place
 from ..results import Running, Trial, drained
 from ..settings import Clasp, Slide
@@ -183,9 +183,8 @@ class _Carried:
         yield from self._wait(REST)
         place = np.asarray(self._carries[-1].segments[-1].object_poses[-1])
         X_WO = self.world.object_pose
-        cosine = (np.trace(place[:3, :3].T @ X_WO[:3, :3]) - 1) / 2
         error = float(np.linalg.norm((X_WO - place)[:3, 3]))
-        angle = float(np.arccos(np.clip(cosine, -1, 1)))
+        angle = frames.angle(place, X_WO)
         self.measures |= {"place_error": error, "place_angle": angle}
         stands = error <= allowed[0] + off and angle <= allowed[1] + askew
         if not stands or is_touched(self.world):

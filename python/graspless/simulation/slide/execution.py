@@ -180,9 +180,8 @@ class Execution:
 
     def _off_goal(self, X_WO: Matrix) -> tuple[float, float]:
         """Returns the distance [m] and the angle [rad] of a pose from the goal."""
-        X_OO = np.linalg.inv(self._goal()) @ X_WO
-        angle = float(np.arccos(np.clip((np.trace(X_OO[:3, :3]) - 1) / 2, -1, 1)))
-        return float(np.linalg.norm(X_OO[:3, 3])), angle
+        goal = self._goal()
+        return float(np.linalg.norm((X_WO - goal)[:3, 3])), frames.angle(goal, X_WO)
 
     def _measure_slide(self) -> None:
         X_WO = self._slid = self.judge.pose(self.data)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ...report.carry import moved
 from .. import raster
-from ..figures import panels
+from ..figures import failure, panels
 from .film import film
 from .stage import Scene, camera
 
@@ -36,6 +36,5 @@ def headline(plan: Plan) -> str:
     """Returns a title: the result of the plan, or the reason of failure."""
     problem = plan.task.problem
     if not plan:
-        name = problem.object.name
-        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+        return failure(plan)
     return f"{problem.robot.name} {moved(plan)}"

@@ -48,7 +48,6 @@ class Stage(FilmStage):
 
 def _moved(X_A: Any, X_B: Any) -> str:
     distance = np.linalg.norm(X_B[:3, 3] - X_A[:3, 3])
-    w, *xyz = frames.to_quaternion(np.linalg.inv(X_A) @ X_B)
-    turn = 2 * np.degrees(np.arctan2(np.linalg.norm(xyz), w))
+    turn = np.degrees(frames.angle(X_A, X_B))
     text = f"{100 * distance:.1f} cm"
     return text if turn < 1 else f"{text}, {turn:.0f}°"

@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from .. import raster
 from ..bodies import LOOP
-from ..figures import INK, draw_panel, new_figure
+from ..figures import INK, draw_panel, failure, new_figure
 from ..loops import draw_cloud
 from . import bodies, stage
 from .film import film, linking
@@ -67,9 +67,9 @@ def draw(plan: Plan) -> Figure:
 def headline(plan: Plan) -> str:
     """Returns a title: the result of the plan, or the reason of failure."""
     problem = plan.task.problem
-    name = problem.object.name
     if not plan:
-        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:120]
+        return failure(plan)
+    name = problem.object.name
     assert plan.stability is not None
     loops = len(problem.object.loops.found)
     which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (from 0)"

@@ -208,8 +208,7 @@ def _between(before: Key, after: Key, time: float) -> Moment:
 
 
 def _seconds(X_A: Matrix, X_B: Matrix) -> float:
-    cosine = (np.trace(X_A[:3, :3].T @ X_B[:3, :3]) - 1) / 2
-    degrees = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+    degrees = float(np.degrees(frames.angle(X_A, X_B)))
     if degrees > 1e-3:
         return degrees / TURN
     return float(100 * np.linalg.norm(X_B[:3, 3] - X_A[:3, 3])) / SLIDE

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from ... import frames
 from .. import raster
 from ..bodies import obstacles
-from ..figures import INK, draw_panel, new_figure
+from ..figures import INK, draw_panel, failure, new_figure
 from . import bodies, carried, curves
 from .moments import moments
 from .stage import camera, swept
@@ -161,9 +161,9 @@ def _draw_head(axes: Any, plan: Plan) -> None:
 
 
 def _headline(plan: Plan) -> str:
-    name = plan.task.problem.object.name
     if not plan and not plan.segments:
-        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"[:110]
+        return failure(plan)
+    name = plan.task.problem.object.name
     names = dict.fromkeys(s.name for s in plan.segments if s.name != "regrasp")
     verbs = [f"{word[:-1]}ing" if word.endswith("e") else f"{word}ing" for word in names]
     fingers = plan.task.problem.fingers.count

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ...report.pinch import width
 from .. import raster
-from ..figures import panels
+from ..figures import failure, panels
 from ..slide.film import film
 from ..slide.stage import camera, placed
 
@@ -35,7 +35,7 @@ def draw(plan: Plan) -> Figure:
 def headline(plan: Plan) -> str:
     """Returns a title: the result of the plan, or the reason of failure."""
     problem = plan.task.problem
-    name = problem.object.name
     if not plan:
-        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+        return failure(plan)
+    name = problem.object.name
     return f"{problem.robot.name} pinches the {name} where it is {1000 * width(plan):.0f} mm wide"

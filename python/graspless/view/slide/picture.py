@@ -13,8 +13,8 @@ from matplotlib.path import Path
 
 from ... import frames
 from .. import raster
-from ..bodies import OBJECT, obstacles
-from ..figures import INK, draw_panel, new_figure
+from ..bodies import OBJECT, TRAIL, obstacles
+from ..figures import INK, draw_panel, failure, hull, new_figure
 from . import stage
 from .film import film
 
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from ...slide import Plan
     from ..film import Film
 
-TRAIL = (0.78, 0.10, 0.32)
 TABLE, BAND, BAND_EDGE = "#e6d9c3", "#f1e8da", "#b8a88c"
 OUTLINE = "#8a5a00"
 EDGE = "#1f6f4a"
@@ -56,9 +55,9 @@ def draw(plan: Plan) -> Figure:
 
 
 def _headline(plan: Plan) -> str:
-    name = plan.task.problem.object.name
     if not plan:
-        return f"{name}: {plan.status.name.replace('_', ' ')}: {plan.reason.split(';')[0]}"
+        return failure(plan)
+    name = plan.task.problem.object.name
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.X_WO_start[:3, 3])
     robot = plan.task.problem.robot.name
     moved = f"{robot} slides the {name} {distance * 100:.0f} cm"
@@ -112,7 +111,7 @@ def _draw_slide(axes: Any, shown: Film) -> None:
         _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
     rings: dict[str, Matrix] = {}  # the largest of each obstacle
     for body, X_WB in obstacles(task):
-        of_parts = [_hull(frames.transform(X_SW @ X_WB, p.vertices)[:, :2]) for p in body.parts]
+        of_parts = [hull(frames.transform(X_SW @ X_WB, p.vertices)[:, :2]) for p in body.parts]
         for ring in of_parts:
             _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=3)
         rings[body.name] = max(of_parts, key=_area)
@@ -237,22 +236,3 @@ def _along(shown: Film) -> list[Matrix]:
 
 def _fill(axes: Any, ring: Matrix, **style: Any) -> None:
     axes.fill(*ring.T, **style)
-
-
-def _hull(points: Matrix) -> Matrix:
-    """Returns the convex hull of points in the plane (monotone chain)."""
-    ordered = sorted(map(tuple, points.tolist()))
-
-    def half(some: list[Any]) -> list[Any]:
-        chain: list[Any] = []
-        for p in some:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], p) <= 0:
-                chain.pop()
-            chain.append(p)
-        return chain[:-1]
-
-    return np.array(half(ordered) + half(ordered[::-1]))
-
-
-def _turn(a: Any, b: Any, c: Any) -> float:
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
