@@ -288,12 +288,11 @@ Scene perceive(const std::vector<View>& views, const Options& options) {
   Builder builder(sights, noise, options);
   for (const Plane& plane : ordered) builder.add(plane);
   Scene scene = builder.finish();
-  if (!scene) {
+  if (!scene)
     return failure(Status::no_support,
                    say("level surfaces were seen, but no piece of one that hangs together has ",
                        options.min_support_area,
                        " m^2; look at the table from above, or change min_support_area"));
-  }
   warn_of(scene, sights, noise, planes);
   return scene;
 }

@@ -108,7 +108,9 @@ std::string drop_partial_inertials(TiXmlElement& robot) {
     links += (links.empty() ? "'" : ", '") + attribute(*e, "name") + "'";
   }
   if (links.empty()) return "";
-  return "URDF: <inertial> without mass or inertia, which is ignored: links " + links;
+  return "URDF: <inertial> without mass or inertia, which planning ignores and simulation needs: "
+         "links " +
+         links;
 }
 
 std::set<std::string> declared_links(const TiXmlElement& robot) {

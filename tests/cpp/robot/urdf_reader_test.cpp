@@ -135,7 +135,8 @@ TEST(UrdfReader, WarnsOfInertialsWithoutMassOrInertia) {
            "</inertial></link>" + joint("one", "a", "b") + joint("two", "b", "c"));
   EXPECT_EQ(robot.warnings(),
             std::vector<std::string>{
-                "URDF: <inertial> without mass or inertia, which is ignored: links 'a', 'b'"});
+                "URDF: <inertial> without mass or inertia, which planning ignores and "
+                "simulation needs: links 'a', 'b'"});
   EXPECT_EQ(robot.dof(), 2);
 }
 
