@@ -14,6 +14,7 @@ import inspect_common as small
 from graspless import _data, pinch, robot
 from graspless.errors import TaskError
 from graspless.tasks import task_from_dict
+from tasks_common import pixels, read_png, recording
 
 TASK = {
     "kind": "pinch",
@@ -152,11 +153,13 @@ def test_only_a_carry_follows_a_pinch():
 
 def test_it_is_drawn(plan, tmp_path):
     from graspless import view
+    from graspless.view.bodies import OBJECT
 
     view.write_png(plan, str(tmp_path / "plan.png"))
     view.write_html(plan, str(tmp_path / "plan.html"))
-    assert (tmp_path / "plan.png").stat().st_size > 20_000
-    assert (tmp_path / "plan.html").stat().st_size > 20_000
+    assert len(pixels(read_png(tmp_path / "plan.png"), OBJECT)) > 300
+    messages = recording((tmp_path / "plan.html").read_text())["messages"]
+    assert {"/robot", "/object", "/table"} <= {m["name"] for _, m in messages if "name" in m}
 
 
 @pytest.mark.parametrize("hand", [small.revolute(), small.linkage()], ids=["revolute", "linkage"])

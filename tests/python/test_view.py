@@ -307,7 +307,9 @@ offset: [0.0, 0.1, 0.05]
     plan = graspless.plan(tmp_path / "carry.yaml")
     assert plan, plan.reason
     plan.save(tmp_path / "plan.json")
-    for name in ("carry.png", "carry.html"):
-        option = f"--{name.split('.')[1]}"
-        assert cli.main(["view", str(tmp_path / "plan.json"), option, str(tmp_path / name)]) == 0
-        assert (tmp_path / name).stat().st_size > 1000
+    png, html = tmp_path / "carry.png", tmp_path / "carry.html"
+    given = ["--png", str(png), "--html", str(html)]
+    assert cli.main(["view", str(tmp_path / "plan.json"), *given]) == 0
+    assert len(pixels(read_png(png), bodies.OBJECT)) > 300
+    messages = recording(html.read_text())["messages"]
+    assert {"/robot", "/object", "/goal"} <= {m["name"] for _, m in messages if "name" in m}
