@@ -142,10 +142,9 @@ def test_recording_is_shown_beside_the_plan(plan, tmp_path):
     assert told(messages)[-1].endswith(": 5.0 mm, 0.0° from the plan")
 
 
+@pytest.mark.parametrize("plan", ["slide", "clasp"], indirect=True)  # fingertips record them
 def test_recording_without_the_plans_poses_is_told_of_by_segment(plan, tmp_path):
     pytest.importorskip("toppra")
-    if plan.kind == "fingertip":  # its recordings say them
-        return
     timed = graspless.time(plan)
     after = timed.times[-1] + np.array([0.1, 0.2])
     poses = np.concatenate([timed.object_poses, timed.object_poses[-1:].repeat(2, axis=0)])

@@ -212,8 +212,6 @@ def test_fingers_beside_their_places_leave_the_promised_rest(case):
 def test_the_place_tolerance_is_not_far_too_small(case):
     """Some errors of a few times the tolerance leave nothing."""
     tolerance = mechanics.place_tolerance(made(*case[:2]), case[2], nominal(case))
-    if withstands(case) == 0:
-        return
     rng, left = np.random.default_rng(8), np.inf
     for _ in range(200):
         errors = rng.normal(size=(len(case[2]), 3))
