@@ -75,10 +75,10 @@ def test_box_too_large_for_any_room(write):
 
 @pytest.mark.parametrize("text", [LAUGHS, MERGES], ids=["laughs", "merges"])
 def test_aliases_are_counted_before_anything_is_built(text):
-    start = time.monotonic()
+    start = time.process_time()
     with pytest.raises(TaskError, match=r"^a.yaml:\d: not valid YAML: more than 1000000 values"):
         parse_yaml(text, "a.yaml")
-    assert time.monotonic() - start < 1
+    assert time.process_time() - start < 1
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "kind: " + "{a: " * 100_000, "- " * 3000 + "x"])

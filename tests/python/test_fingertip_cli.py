@@ -97,6 +97,7 @@ def test_ctrl_c_ends_a_search(task):
         text=True,
     )
     time.sleep(3)
+    assert running.poll() is None
     running.send_signal(signal.SIGINT)
     _, err = running.communicate(timeout=60)
     assert (running.returncode, err) == (130, "interrupted\n")

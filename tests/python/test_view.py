@@ -5,7 +5,6 @@
 import re
 import shutil
 import socket
-import time
 import urllib.request
 from types import SimpleNamespace
 
@@ -282,7 +281,6 @@ def test_viewer_serves_until_ctrl_c(plan, tmp_path):
     with served(plan, tmp_path) as address:
         page = urllib.request.urlopen(address, timeout=10).read()
         assert b"<html" in page
-        time.sleep(0.5)
 
 
 def test_the_contact_on_a_bowl_is_on_its_bottom(bowl_problem):
