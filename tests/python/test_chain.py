@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+import yaml
 
 import graspless
 from graspless import _data, frames
@@ -611,6 +612,46 @@ def test_arm_goes_on_with_what_the_fingertips_left(tile):
     first, second, _ = tile.stages
     q = first.joint_segments[-1].positions[-1]
     assert np.abs(q - second.segments[0].positions[0]).max() < 1e-9
+
+
+@pytest.fixture(scope="module")
+def block():
+    """A block that fingertips tumble and a hand pinches; nothing is carried after that."""
+    task = yaml.safe_load(TILE)
+    task["stages"] = task["stages"][:2]
+    task["object"] |= {"box": [0.04, 0.04, 0.08]}
+    pose = {"position": [0.60, 0.0, 0.04]}
+    task["stages"][0]["motion"] = {"tumble": {"over": "+x", "pose": pose, "segments": 18}}
+    task["stages"][0]["options"] = {"min_stability": 0.1}
+    lying = {"rectangle": {"size": [0.08, 0.04]}, "thickness": 0.04}
+    support = task["stages"][1]["support"]
+    task["stages"][1] = {"name": "pinch", "kind": "pinch", "object": lying, "support": support}
+    plan = graspless.plan(task)
+    assert plan, plan.reason
+    return plan
+
+
+def test_what_the_fingertips_left_is_pinched_and_recorded(block):
+    pytest.importorskip("mujoco")
+    trial = graspless.simulate(block, record=True).trials[0]
+    assert trial, trial.failures
+    film = trial.recording
+    assert {"tumble", "close", "raise"} <= set(film.names)
+    low = np.array([name not in ("raise", "hold") for name in film.names])
+    off = np.linalg.norm((film.object_poses - film.planned_poses)[low, :3, 3], axis=1)
+    assert off.max() < 1e-3
+
+
+def test_other_bodies_take_the_place_of_what_a_lone_pinch_knows(block):
+    pytest.importorskip("mujoco")
+    from graspless.simulation import chain
+    from graspless.simulation.slide.truth import Body, Truth
+    from graspless.simulation.variation import Variation
+
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 2)]) / 2
+    com, inertia = np.array([0.0, 0.0, 0.002]), np.eye(3) * 1e-4
+    flat = Body([corners * [0.08, 0.03, 0.004]], 0.15, com, inertia)
+    assert "not_grasped" in chain.run(block, Variation(), truth=Truth(flat)).failures
 
 
 def test_object_is_one_body_in_all_frames(tile):

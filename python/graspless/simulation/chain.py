@@ -30,7 +30,7 @@ from .results import Trial
 from .settings import SLIDE_SPREAD, Slide
 from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import execute, running
+from .slide import running
 from .slide.execution import Execution
 from .slide.program import (
     HOLD,
@@ -107,11 +107,8 @@ def _executed(
     """Executes a slide, a pinch or a clasp, and the carries after it."""
     if stages[0].kind == "clasp":
         return carried.run(stages, variation, record=record)
-    if len(stages) == 1:
-        alone = pinch.run if stages[0].kind == "pinch" else execute
-        return alone(stages[0], variation, record=record, settings=settings)
     start = time.perf_counter()
-    execution = _Carried(stages, variation, settings or Slide(), truth)
+    execution = _execution(stages, variation, settings or Slide(), truth)
     if record:
         execution.record()
     execution.run()
@@ -125,6 +122,15 @@ def _executed(
     )
 
 
+def _execution(
+    stages: Sequence[Any], variation: Variation, settings: Slide, truth: Truth | None = None
+) -> Execution:
+    """Returns the execution of a slide or a pinch, and the carries after it, if any."""
+    if len(stages) == 1:
+        return Execution(stages[0], variation, settings, truth=truth)
+    return _Carried(stages, variation, settings, truth)
+
+
 def start(plan: Plan, variation: Variation) -> Running:
     """Returns the execution of a solved plan, to be run step by step."""
     require_simulated(plan.task)
@@ -133,9 +139,7 @@ def start(plan: Plan, variation: Variation) -> Running:
         raise TaskError("a chain that begins with fingertips does not run step by step")
     if first.kind == "clasp":
         return carried.start(plan.stages, variation)
-    if len(plan.stages) == 1:
-        return running(Execution(first, variation, Slide()))
-    return running(_Carried(plan.stages, variation, Slide()))
+    return running(_execution(plan.stages, variation, Slide()))
 
 
 def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:
@@ -162,7 +166,7 @@ def _with_plan(recording: Recording, stages: Sequence[Any]) -> Recording:
 def _parted(stages: Sequence[Any]) -> tuple[Any, list[Any], Any]:
     """Returns the grasp, the carries after it, and the slide at their end, or None."""
     first, *carries = stages
-    later = carries.pop() if carries[-1].kind == "slide" else None
+    later = carries.pop() if carries and carries[-1].kind == "slide" else None
     return first, carries, later
 
 
