@@ -164,6 +164,19 @@ def test_lost_objects_are_a_status(plan, disturbed, status, reason):
     rest.plot()
 
 
+def test_the_simulation_refuses_what_does_not_begin_at_rest(rest):
+    pytest.importorskip("mujoco")
+    from graspless.simulation import slide as simulated
+    from graspless.simulation.variation import Variation
+
+    for simulate in (
+        lambda: graspless.simulate(rest, closed_loop=True),
+        lambda: simulated.start(rest, Variation()),
+    ):
+        with pytest.raises(TaskError, match="simulate the plan that was interrupted"):
+            simulate()
+
+
 def test_lost_contact_is_a_status(plan):
     _, X_WO = state(plan)
     rest = slide.resume(plan, plan.task.problem.q_home, X_WO, budget=QUICK)

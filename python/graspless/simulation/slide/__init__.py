@@ -49,12 +49,17 @@ def run(
     plan: Plan, variation: Variation, *, record: bool = False, settings: Slide | None = None
 ) -> Trial:
     """Executes a solved plan; `settings` are for tests."""
-    if plan.resumed is not None:
+    _require_rest(plan)
+    return execute(plan, variation, record=record, settings=settings)
+
+
+def _require_rest(plan: Any) -> None:
+    """Raises TaskError for a resumed plan."""
+    if getattr(plan, "resumed", None) is not None:  # a pinch has none
         raise TaskError(
             "a resumed plan begins with the finger pressed on the object, and the simulation "
             "begins at rest: simulate the plan that was interrupted"
         )
-    return execute(plan, variation, record=record, settings=settings)
 
 
 def execute(
@@ -67,6 +72,7 @@ def execute(
 
 def start(plan: Any, variation: Variation) -> Running:
     """Returns the execution of a solved plan, to be run step by step."""
+    _require_rest(plan)
     return running(Execution(plan, variation, Slide()))
 
 
@@ -102,6 +108,7 @@ def follow(
     """
     from .closed_loop import FollowedExecution
 
+    _require_rest(plan)
     start = time.perf_counter()
     return _trial(
         FollowedExecution(plan, variation, settings or Slide(), seed, truth), record, start
