@@ -11,6 +11,7 @@ import pytest
 import graspless
 import inspect_common as small
 from graspless import TaskError, frames
+from graspless.formats import mujoco_scene
 from graspless.robot import Robot
 from graspless.ros.fake_world import World
 from graspless.simulation.robots import joint_addresses, robot_spec
@@ -83,6 +84,16 @@ def test_names_of_shapes_may_be_ours(plan_of):
     assert {role: len(geoms) for role, geoms in groups.items()} == {
         role: len(geoms) for role, geoms in expected.items()
     }
+
+
+def test_a_link_with_the_name_of_another_body_is_named(plan_of, tmp_path, monkeypatch):
+    said = "link '{}' has the name of another body of the simulation: rename it in the URDF"
+    plan = plan_of(heavy(small.gripper()).replace('"link_0"', '"table"'))
+    with pytest.raises(TaskError, match=said.format("table")):
+        graspless.simulate(plan)
+    monkeypatch.setattr(mujoco_scene, "OBJECT", "palm")
+    with pytest.raises(TaskError, match=said.format("palm")):
+        graspless.export(plan, tmp_path / "folder", "mujoco")
 
 
 def test_a_finger_without_a_mass_is_refused(plan_of):

@@ -12,7 +12,7 @@ import trimesh
 
 from .. import frames, geometry
 from ..simulation.clasp.surface import inertia, skin
-from ..simulation.robots import apply, robot_spec
+from ..simulation.robots import apply, robot_spec, unused
 from ..simulation.settings import Clasp
 from ..simulation.shapes import add_skin, give_inertia
 from ..simulation.slide.shapes import plate_inertia
@@ -48,7 +48,7 @@ def build(trajectory: Trajectory) -> tuple[Any, Robot | None]:
         apply(spec)
         _add_fingers(spec, task.problem.fingers)
     spec.modelname = f"graspless {task.kind}"
-    body = spec.worldbody.add_body(name=OBJECT)
+    body = spec.worldbody.add_body(name=unused(spec, OBJECT))
     body.add_freejoint(name=OBJECT)
     _OBJECTS[task.kind](spec, body, task)
     add_surroundings(spec, stages)

@@ -42,6 +42,15 @@ def compiled(spec: Any) -> Any:
         ) from None
 
 
+def unused(spec: Any, name: str) -> str:
+    """Returns the name of a new body; raises TaskError if a link has it."""
+    if spec.body(name) is not None:
+        raise TaskError(
+            f"link '{name}' has the name of another body of the simulation: rename it in the URDF"
+        )
+    return name
+
+
 def robot_spec(
     robot: Robot,
     fields: RobotFields,

@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
+from ..robots import unused
 from ..shapes import add_placed, add_skin, give_inertia
 from . import surface
 
@@ -39,7 +40,9 @@ def add_object(
     `mass` is the mass before variation [kg].
     """
     points = np.asarray(cloud.points)
-    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
+    body = spec.worldbody.add_body(
+        name=unused(spec, OBJECT), pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO)
+    )
     body.add_freejoint(name=OBJECT)
     mass *= variation.mass
     give_inertia(body, mass, points.mean(axis=0), mass * surface.inertia(points))
@@ -81,7 +84,7 @@ def _add_stand(
     """Adds a level plane under small feet. Nothing else touches it, as the planner has no floor."""
     height = 0.0 if standing is None else standing[:, 2].min()
     # A body that can be moved: MuJoCo works out the places of what is fixed to the world once.
-    stand = spec.worldbody.add_body(name=STAND, mocap=True, pos=[0, 0, height])
+    stand = spec.worldbody.add_body(name=unused(spec, STAND), mocap=True, pos=[0, 0, height])
     plane = {"type": mujoco.mjtGeom.mjGEOM_PLANE, "size": [1, 1, 1]}
     stand.add_geom(name=STAND, contype=0, conaffinity=0, **plane)
     for i, p_W in enumerate(() if standing is None else standing):

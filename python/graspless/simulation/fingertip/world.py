@@ -13,7 +13,7 @@ import numpy as np
 
 from ... import frames
 from ..obstacles import add_obstacle
-from ..robots import apply
+from ..robots import apply, unused
 from ..settings import Fingertip, Solver
 from ..shapes import add_plane, give_inertia
 
@@ -223,7 +223,7 @@ def add_finger_pairs(
 
 
 def _add_object(spec: Any, thing: fingertip.Object, factor: float) -> Any:
-    body = spec.worldbody.add_body(name=OBJECT)
+    body = spec.worldbody.add_body(name=unused(spec, OBJECT))
     body.add_freejoint()
     give_inertia(body, thing.mass * factor, thing.com, np.asarray(thing.inertia) * factor)
     spec.add_mesh(name="hull", uservert=np.asarray(thing.hull).ravel())

@@ -19,7 +19,7 @@ import numpy as np
 from ... import frames, geometry
 from ..obstacles import OBSTACLE, numbered
 from ..parts import slice_links
-from ..robots import apply, compiled, robot_spec
+from ..robots import apply, compiled, robot_spec, unused
 from ..settings import Slide, Solver
 from ..shapes import add_hull, add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
@@ -120,7 +120,9 @@ def varied_hand(problem: Any, variation: Variation) -> slide.Hand:
 def _add_table(spec: Any, plan: Plan, height: float, settings: Slide, later: Plan | None) -> None:
     support = plan.task.problem.support
     X_WS = support.X_WS @ frames.translation([0.0, 0.0, height])
-    body = spec.worldbody.add_body(name=TABLE, pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS))
+    body = spec.worldbody.add_body(
+        name=unused(spec, TABLE), pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS)
+    )
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
     for i, p in enumerate(_edge_points(plan, settings, later)):
@@ -143,7 +145,9 @@ def _edge_points(plan: Plan, settings: Slide, later: Plan | None) -> Matrix:
 
 def _add_obstacle(spec: Any, obstacle: Any, name: str, what: str) -> None:
     X_WB = np.array(obstacle.X_WB)
-    body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
+    body = spec.worldbody.add_body(
+        name=unused(spec, name), pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB)
+    )
     for i, placed in enumerate(obstacle.shapes):
         _mark(add_placed(spec, body, placed, name=f"{name} {i}"), what)
 
@@ -152,7 +156,9 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
     mass = float(thing.mass) * variation.mass
     thickness = float(thing.thickness) * variation.thickness
     com = thing.com * [1, 1, variation.thickness] + [variation.com_x, variation.com_y, 0]
-    body = spec.worldbody.add_body(name=OBJECT, pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO))
+    body = spec.worldbody.add_body(
+        name=unused(spec, OBJECT), pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO)
+    )
     give_inertia(body, mass, com, plate_inertia(thing.outline, thickness, mass))
     body.add_freejoint(name=OBJECT)
     if thing.heights is None:
@@ -188,7 +194,9 @@ def _add_truth(spec: Any, truth: Truth, X_WO: Matrix, variation: Variation) -> N
 
 
 def _add_body(spec: Any, given: Body, X_WB: Matrix, name: str, what: str) -> None:
-    body = spec.worldbody.add_body(name=name, pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB))
+    body = spec.worldbody.add_body(
+        name=unused(spec, name), pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB)
+    )
     give_inertia(body, given.mass, given.com, given.inertia)
     body.add_freejoint(name=name)
     for i, points in enumerate(given.parts):
