@@ -54,7 +54,6 @@ def unused(spec: Any, name: str) -> str:
 def robot_spec(
     robot: Robot,
     fields: RobotFields,
-    servo: Servo | None = None,
     excluded: Iterable[tuple[int, int]] | None = None,
 ) -> Any:
     """Returns a mujoco.MjSpec of a world with the robot alone.
@@ -68,12 +67,10 @@ def robot_spec(
         Gives the order of joints, the base and the pairs of links.
     fields : tasks.robots.Robot
         Fields of a resolved task, with the text of the URDF.
-    servo : Servo, optional
-        Servo of all joints.
     excluded : pairs of int, optional
         Links that do not collide with each other; `untested_pairs` by default.
     """
-    servo = servo or Servo()
+    servo = Servo()
     excluded = untested_pairs(robot) if excluded is None else excluded
     xml, assets = _model(fields)
     spec = mujoco.MjSpec.from_string(xml, assets=assets)
