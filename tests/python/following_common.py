@@ -8,9 +8,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from graspless import frames
+from graspless import _data, frames
 from graspless.following import Follower, Settings
 
+CARD = _data.directory("examples") / "01_slide_card.yaml"
+CAMERA = {"lag": 0.1, "noise": (0.002, np.radians(1)), "bias": (0.0009, -0.0009, 0.0008)}
 # A search that ends in one update finds the same plan on a busy machine, too.
 PATIENT = Settings(search_seconds=1.0, plan_seconds=2.0, resume_seconds=1.0)
 
@@ -111,3 +113,8 @@ class World:
         """Displaces the object."""
         self.X_WO = self.X_WO @ frames.planar(0, 0, yaw)
         self.X_WO[:2, 3] += [x, y]
+
+
+def phases(world):
+    """Names of the phases that a world went through, in order."""
+    return list(dict.fromkeys(target.phase for target in world.targets))

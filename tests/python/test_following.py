@@ -1,11 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Followers of slides in a world without physics: arrivals, corrections, new plans, bad input."""
+"""Followers of slides in a world without physics: arrivals, bounds, waiting, bad input."""
 
 from __future__ import annotations
 
 import copy
-import json
 import math
 import re
 from types import SimpleNamespace
@@ -15,32 +14,16 @@ import pytest
 import yaml
 
 import graspless
-from following_common import PATIENT, World
+from following_common import CAMERA, CARD, PATIENT, World, phases
 from graspless import _data, frames, slide
 from graspless.errors import TaskError
 from graspless.following import Follower, Noise, Settings
-from graspless.following.guard import Guard
-from graspless.following.replan import Replanner
 from graspless.timing.settings import ACCELERATION, JERK
-
-CARD = _data.directory("examples") / "01_slide_card.yaml"
-CAMERA = {"lag": 0.1, "noise": (0.002, np.radians(1)), "bias": (0.0009, -0.0009, 0.0008)}
 
 
 @pytest.fixture(scope="module")
 def plan():
     return graspless.plan(CARD)
-
-
-@pytest.fixture(scope="module")
-def turning():
-    """A plan whose card turns by 42 degrees."""
-    document = yaml.safe_load(CARD.read_text())
-    return graspless.plan(document | {"options": {"refuse_lag": False}})
-
-
-def phases(world):
-    return list(dict.fromkeys(target.phase for target in world.targets))
 
 
 def test_a_world_as_planned_is_followed_to_the_end(plan):
@@ -160,174 +143,6 @@ def test_a_bound_on_the_jerk_makes_targets_smoother(plan):
     (_, _, jerk), _ = derivatives(world)
     bends = 1.5  # corrections near a singularity of the arm
     assert np.abs(jerk).max() < bends * 50
-
-
-@pytest.mark.parametrize("off", [(0.004, 0, 0.03), (-0.002, 0.003, -0.05), (0, 0, 0.08)])
-def test_small_deviations_are_corrected_in_place(plan, off):
-    world = World(plan, *off, **CAMERA)
-    assert world.run().status == "done"
-    assert (world.follower.resumes, world.follower.restarts) == (0, 0)
-    assert world.follower.plan is plan
-    position, angle = world.error()
-    assert position < 0.003  # a bias of 1.5 mm, and noise
-    assert angle < np.radians(1.5)
-
-
-def with_post(plan, path, x, y):
-    """The same rows with a post in the world."""
-    document = json.loads(plan.to_json())
-    post = {"name": "post", "box": [0.01, 0.01, 0.3], "pose": {"position": [x, y, 0.2]}}
-    document["task"]["obstacles"] = [post]
-    path.write_text(json.dumps(document))
-    return graspless.load_plan(path)
-
-
-def touched(world):
-    """Pairs that touched at any target."""
-    around = slide.Surroundings(world.problem, world.plan.task.options)
-    return {
-        pair
-        for target, X_WO in zip(world.targets, world.places, strict=True)
-        for pair in around.touching(target.phase, target.position, X_WO)
-    }
-
-
-POSTS = [((0.005, 0), (0.699, 0.096)), ((0, 0.005), (0.664, 0.151))]
-
-
-@pytest.mark.parametrize(("off", "post"), POSTS)
-def test_a_shifted_path_keeps_clear_of_obstacles(turning, tmp_path, monkeypatch, off, post):
-    changed = with_post(turning, tmp_path / "plan.json", *post)
-    as_planned = World(changed)
-    assert as_planned.run().status == "done"
-    assert touched(as_planned) == set()
-    world = World(changed, *off)
-    assert world.run().status == "done"
-    assert touched(world) == set()
-    assert world.follower.restarts == 1
-    monkeypatch.setattr(Guard, "ahead", lambda *_: "")
-    careless = World(changed, *off)
-    careless.run()
-    assert touched(careless) == {"right_finger - post"}
-
-
-@pytest.mark.parametrize(("kick", "restarts"), [(0.004, 0), (0.011, 1)])
-def test_a_shift_that_would_touch_is_taken_back_where_the_hand_grasps(
-    plan, monkeypatch, kick, restarts
-):
-    """Farther away the hand goes back and begins anew: another plan may lead past the edge."""
-
-    def ahead(_, deviation, correction, _seconds):
-        is_shifted = np.hypot(*correction.motion[:2]) > 5e-4
-        return "a - b" if deviation.course.name == "grasp" and is_shifted else ""
-
-    monkeypatch.setattr(Guard, "ahead", ahead)
-    world = World(plan)
-    world.run(until=lambda target: target.phase == "reach")
-    world.kick(kick, 0, 0)
-    assert world.run().status == "done"
-    assert world.follower.restarts == restarts
-    if not restarts:
-        np.testing.assert_allclose(world.q, plan.segments[-1].positions[-1], atol=1e-3)
-
-
-def test_noise_alone_leads_to_no_new_plan(plan):
-    for seed in range(4):
-        world = World(plan, seed=seed, **CAMERA)
-        world.run(lambda target: target.phase == "lift")
-        assert (world.follower.resumes, world.follower.restarts) == (0, 0)
-        assert world.follower.plan is plan
-
-
-def test_an_object_that_turns_less_than_the_finger_is_turned_further(turning):
-    blind, world = World(turning, grip=0.7, camera=0), World(turning, grip=0.7, **CAMERA)
-    blind.run()
-    assert world.run().status == "done"
-    assert blind.error()[1] > np.radians(10)
-    assert world.error()[1] < np.radians(2)
-    assert world.error()[0] < 0.004
-    assert world.follower.resumes == 0
-    assert world.follower.restarts <= 1
-
-
-def test_a_start_elsewhere_is_planned_anew_before_the_arm_moves(plan):
-    world = World(plan, 0.007, -0.007, 0.17, **CAMERA)
-    target = world.run(lambda target: target.phase == "press")
-    assert "planned anew" in target.reason
-    assert world.follower.plan is not plan
-    assert world.run().status == "done"
-    assert (world.follower.resumes, world.follower.restarts) == (0, 0)
-    assert world.error()[0] < 0.003
-
-
-def kicked(plan, kick, **camera):
-    world = World(plan, **camera)
-    world.run(lambda target: target.phase == "slide")
-    for _ in range(150):
-        world.step()
-    world.kick(*kick)
-    return world
-
-
-@pytest.mark.parametrize(
-    ("kick", "rests"), [((-0.007, 0.007, -0.17), False), ((0.01, 0.0, 0.17), True)]
-)
-def test_a_kick_leads_to_a_new_plan(plan, kick, rests):
-    world = kicked(plan, kick, **CAMERA)
-    assert world.run().status == "done"
-    speeds = np.array([np.abs(target.velocity).max() for target in world.targets])
-    first = next(k for k, target in enumerate(world.targets) if "the rest anew" in target.reason)
-    # Only a new path that turns back is begun from rest.
-    assert (speeds[first - 20 : first + 50].min() < 0.01) == rests
-    assert world.follower.resumes > 0
-    assert world.follower.restarts == 0
-    assert "retreat" not in phases(world)
-    assert world.error()[0] < 0.004
-    assert world.error()[1] < np.radians(2)
-
-
-@pytest.mark.parametrize(("kick", "restarts"), [((-0.006, 0.005, 0.0), 0), ((-0.02, 0.02, 0.0), 1)])
-def test_without_a_new_plan_only_large_deviations_are_begun_anew(plan, monkeypatch, kick, restarts):
-    monkeypatch.setattr(Replanner, "resume", lambda *_: (None, "no plan"))
-    world = kicked(plan, kick, **CAMERA)
-    assert world.run().status == "done"
-    assert world.follower.restarts == restarts
-    assert world.error()[0] < 0.004
-
-
-@pytest.mark.parametrize("turn", [0.0, 0.15])
-def test_an_object_that_hardly_turns_with_the_finger_is_grasped_as_it_lies(plan, turn):
-    """New plans would turn it in vain, too."""
-    world = kicked(plan, (0.0, 0.0, turn), grip=0.3, **CAMERA)
-    assert world.run().status == "done"
-    assert world.follower.restarts <= 1
-    assert world.error()[0] < 0.004
-    assert world.error()[1] < Settings().grasp_correct_angle
-
-
-def test_an_object_out_of_touch_is_touched_anew(plan):
-    world = kicked(plan, (0.0, 0.12, 0.0), **CAMERA)
-    world.run(lambda target: target.phase == "retreat")
-    world.contact = None
-    assert world.run().status == "done"
-    assert world.follower.restarts == 1
-    heights = [
-        world.robot.pose(world.hand.fingertip, target.position)[2, 3] for target in world.targets
-    ]
-    lifted = [
-        h for h, target in zip(heights, world.targets, strict=True) if target.phase == "retreat"
-    ]
-    assert max(lifted) - min(lifted) == pytest.approx(Settings().lift, abs=1e-3)
-    assert world.error()[0] < 0.004
-
-
-def test_an_object_that_never_follows_is_given_up(plan):
-    world = World(plan, **CAMERA)
-    world.effective_tip = lambda q: np.eye(4)
-    target = world.run(seconds=300)
-    assert target.status == "stopped"
-    assert f"began anew {Settings().restarts} times" in target.reason
-    assert world.follower.restarts == Settings().restarts
 
 
 def test_a_slide_waits_without_poses_and_goes_on_with_them(plan):
@@ -524,16 +339,15 @@ def test_a_first_reading_may_be_missing_but_not_far(plan, name):
     assert waited == pytest.approx(Settings().joint_seconds, abs=0.05)
 
 
-@pytest.mark.parametrize("t", [None, "now", np.nan, np.inf, -1.0, 0.0])
-def test_times_that_do_not_increase_move_nothing(plan, t):
+def test_times_that_do_not_increase_move_nothing(plan):
     world = World(plan)
     world.run(lambda target: target.phase == "press")
     before = world.targets[-1].position
-    target = world.step(t=t)
-    np.testing.assert_array_equal(target.position, before)
-    assert target.reason.startswith("t: ")
-    assert np.abs(target.velocity).max() == 0
-    assert world.run().status == "done"
+    for t in (None, "now", np.nan, np.inf, 0.0, -1.0):
+        target = world.step(t=t)
+        np.testing.assert_array_equal(target.position, before)
+        assert target.reason.startswith("t: ")
+        assert np.abs(target.velocity).max() == 0
 
 
 def test_a_loop_that_was_late_goes_on_where_it_was(plan):
