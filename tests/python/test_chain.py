@@ -614,6 +614,13 @@ def test_arm_goes_on_with_what_the_fingertips_left(tile):
     assert np.abs(q - second.segments[0].positions[0]).max() < 1e-9
 
 
+def test_all_three_stages_by_one_arm_hold_in_the_physics_engine(tile):
+    pytest.importorskip("mujoco")
+    trial = graspless.simulate(tile).trials[0]
+    assert trial, trial.failures
+    assert trial.measures["fingers_error"] < 0.002
+
+
 @pytest.fixture(scope="module")
 def block():
     """A block that fingertips tumble and a hand pinches; nothing is carried after that."""
