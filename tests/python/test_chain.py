@@ -666,8 +666,8 @@ def test_object_is_one_body_in_all_frames(tile):
     first, second, third = tile.stages
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     X_W1, X_W2 = first.segments[-1].X_WO[-1], second.segments[0].object_poses[0]
-    box = (corners / 2 * [0.02, 0.08, 0.10]) @ X_W1[:3, :3].T + X_W1[:3, 3]
-    plate = (corners / 2 * [0.10, 0.08, 0.02] + [0, 0, 0.01]) @ X_W2[:3, :3].T + X_W2[:3, 3]
+    box = (corners / 2 * [0.04, 0.08, 0.10]) @ X_W1[:3, :3].T + X_W1[:3, 3]
+    plate = (corners / 2 * [0.10, 0.08, 0.04] + [0, 0, 0.02]) @ X_W2[:3, :3].T + X_W2[:3, 3]
     apart = np.linalg.norm(box[:, None] - plate[None], axis=2)
     assert apart.min(axis=0).max() < 1e-9
     assert apart.min(axis=1).max() < 1e-9
@@ -680,14 +680,14 @@ def test_object_is_one_body_in_all_frames(tile):
 
 def test_stage_has_the_mass_of_the_chain(tile, write):
     assert tile.stages[1].task.problem.object.mass == 0.15
-    said = fault(write(changed("thickness: 0.02}", "thickness: 0.02, mass: 1}", TILE)))
+    said = fault(write(changed("thickness: 0.04}", "thickness: 0.04, mass: 1}", TILE)))
     assert "stages[1].object.mass: 1: the chain's object has 0.15" in said
 
 
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("thickness: 0.02}", "thickness: 0.021}", "is 0.02 m high as it lies; thickness is 0.021"),
+        ("thickness: 0.04}", "thickness: 0.041}", "is 0.04 m high as it lies; thickness is 0.041"),
         ("size: [0.10, 0.08]}", "size: [0.10, 0.07]}", "has another outline seen from above"),
         ("height: 0.0}", "height: -0.01}", "lies 0.01 m over the support"),
     ],
