@@ -89,6 +89,8 @@ def test_replay_is_used_in_a_browser(driver, plan, tmp_path):
     ] == []
 
 
+# A clasp takes minutes to draw without a graphics card; its replay has the same scene.
+@pytest.mark.parametrize("plan", ["slide", "fingertip"], indirect=True)
 def test_viewer_is_used_in_a_browser(driver, plan, tmp_path):
     driver.set_window_size(760, 420)  # room beside the panel
     with served(plan, tmp_path) as address:
