@@ -127,8 +127,9 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
         std::optional<Clasp> clasp = close_clasp(search);  // IV-D: until contact occurs
         if (!clasp) continue;
         Plan whole = plan;
-        clock.conclude([&] { assemble(search, std::move(*clasp), whole); });  // IV-D: path pruning
-        plan = std::move(whole);
+        const bool is_whole =  // IV-D: path pruning
+            clock.conclude([&] { assemble(search, std::move(*clasp), whole); });
+        if (is_whole) plan = std::move(whole);
       }
     }
   });  // counters and reason stay if the time ends in the middle of a test

@@ -17,10 +17,10 @@ namespace graspless::clasp {
 
 constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
-// Refusals that make the status of a failed search "not_secure".
+// Refusals of closed hands. The first two make the status of a failed search "not_secure".
 constexpr const char* kNotSecure = "clasp: not secure";
-constexpr const char* kBlocked = "clasp: the closed hand is in the object";
 constexpr const char* kForcedOpen = "clasp: forced open by the load";
+constexpr const char* kBlocked = "clasp: the closed hand is in the object";
 
 /// State of one call of plan().
 struct Query {

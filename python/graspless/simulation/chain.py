@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import timing
+from .. import frames, timing
 from ..errors import TaskError
 from ..tasks import scenes
 from . import moved, pinch
@@ -237,8 +237,7 @@ class _Carried(Execution):
     def _measure_rested(self) -> None:
         X_WO = self.judge.pose(self.data)
         position = float(np.linalg.norm((X_WO - self._place)[:3, 3]))
-        cosine = (np.trace(self._place[:3, :3].T @ X_WO[:3, :3]) - 1) / 2
-        angle = float(np.arccos(np.clip(cosine, -1, 1)))
+        angle = frames.angle(self._place, X_WO)
         self.measures |= {"place_error": position, "place_angle": angle}
         allowed = self.settings.placed
         stands = position <= allowed[0] and angle <= allowed[1]
