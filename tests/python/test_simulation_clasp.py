@@ -28,6 +28,7 @@ from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
 from graspless.tasks import read_task
 from graspless_bench.physics.clasp_tasks import physics_tasks
+from graspless_bench.physics.mutants import mutants
 from graspless_bench.physics.mutants.clasp import close_partly, do_not_reach
 from tasks_common import reread
 
@@ -189,6 +190,16 @@ def test_what_is_left_open_is_the_joint_that_was_opened(plan, tmp_path):
         assert opened - 0.011 < left < opened + 0.011
     end[joint] -= 0.5
     assert left_open(reread(document, tmp_path / "plan.json"), Clasp()) == Clasp().left_most
+
+
+def test_a_plan_whose_handle_was_cut_is_refused(plan, tmp_path):
+    document = json.loads(plan.to_json())
+    (cut,) = (mutant for mutant in mutants("clasp") if mutant.name == "cut handle")
+    spoilt = reread(cut.of(document), tmp_path / "plan.json")
+    assert spoilt.task.problem.object.loops.found == []
+    assert graspless.check(spoilt) == ["plan: loop 0 is not one of the object's 0"]
+    with pytest.raises(ValueError, match="^loop 0 of the plan is not one of the object's 0$"):
+        run(spoilt, Variation(), settings=SHORT)
 
 
 def test_a_hand_that_never_had_the_loop_did_not_lose_it(plan, tmp_path):

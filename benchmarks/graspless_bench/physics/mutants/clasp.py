@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graspless import frames
 from graspless.robot import Robot
 
 from . import Mutant, bend, block, keep_rows, segments
@@ -76,7 +77,11 @@ def _jump(document: Row) -> None:
 
 
 def _elsewhere(document: Row) -> None:
-    document["task"]["object"]["pose"]["position"][1] += 0.08
+    """Moves the object across its loop. Along it, the hand would clasp another part."""
+    pose = document["task"]["object"]["pose"]
+    along = frames.from_rpy(pose["rpy"])[:3, :3] @ document["target"]["tangent"]
+    across = np.cross([0.0, 0.0, 1.0], along)
+    pose["position"] = (pose["position"] + 0.08 * across / np.linalg.norm(across)).tolist()
 
 
 def _turned(document: Row) -> None:
@@ -129,7 +134,7 @@ MUTANTS = [
     Mutant("no reach", "the arm stays where it stands", do_not_reach),
     Mutant("aside", "the arm is turned by 0.12 rad, little by little on its way", _aside),
     Mutant("jump", "a joint is 0.5 rad off for two rows of `reach`", _jump),
-    Mutant("elsewhere", "the object stands 80 mm aside", _elsewhere),
+    Mutant("elsewhere", "the object stands 80 mm aside, across its loop", _elsewhere),
     Mutant("turned", "the object is turned by 0.8 rad", _turned),
     Mutant(
         "cut handle", "the handle is cut: the points within 40 mm of the target are missing", _cut

@@ -85,7 +85,8 @@ struct Loops {
   int noise = 0;                ///< number of classes that do not live long enough to be listed
   Complex complex;              ///< K_d of the cloud, after downsampling, for most of the holes
   /// The part of K_d at the cloud's own resolution: edges no longer than twice the local spacing,
-  /// and their triangles. d follows the holes; where it is large, K_d fills open space.
+  /// and their triangles. d follows the holes; where it is large, K_d fills open space. Clouds
+  /// without holes have one, too.
   Complex surface;
   BettiCurve betti;  ///< Betti curve of the same points
   Plateau plateau;   ///< values of d at which the holes of `complex` exist

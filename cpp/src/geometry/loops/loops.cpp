@@ -230,6 +230,13 @@ void find_all(const Filtration& filtration, const std::vector<int>& columns, Jud
   for (auto* list : {&result.found, &result.uncertain, &result.meridians}) sort_by_length(*list);
 }
 
+/// Surface of a cloud in which no hole chose a complex.
+Complex surface_of_cloud(const Filtration& filtration) {
+  constexpr double kFar = 8;  // spacings: beyond the sixth neighbour's, in a random cloud too
+  const Complex complex = filtration.complex(kFar * spacing(filtration.points()));
+  return surface_of(complex, Resolution(complex));
+}
+
 /// Complex of most of the holes that rays passed through.
 void choose_complex(const Filtration& filtration, Loops& result) {
   std::map<double, int> counts;
@@ -281,7 +288,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   } else {
     doubt_if_one_sided(filtration.points(), result);
   }
-  if (result.complex.edges.cols() == 0) result.surface = {};
+  if (result.complex.edges.cols() == 0) result.surface = surface_of_cloud(filtration);
   if (options.max_edge_length == 0) result.plateau = plateau_of(result);
   if (downsamples && options.polish) polish(points, options.threads, result.found);
   report(filtration, options, result);

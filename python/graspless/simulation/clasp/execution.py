@@ -259,10 +259,19 @@ class Execution:
 
 
 def execution_of(plan: Plan, world: World, recorder: Recorder | None) -> Execution:
-    """Returns the execution of a solved plan, judged by the fingers that clasp."""
+    """Returns the execution of a solved plan, judged by the fingers that clasp.
+
+    Raises
+    ------
+    ValueError
+        The plan's loop is none of the object's, as in a file whose cloud was changed.
+    """
     problem, hand = plan.task.problem, hand_of(plan)
     assert plan.loop is not None
-    judge = Judge(hand, world, problem.object.loops.found[plan.loop].points)
+    loops = problem.object.loops.found
+    if plan.loop >= len(loops):
+        raise ValueError(f"loop {plan.loop} of the plan is not one of the object's {len(loops)}")
+    judge = Judge(hand, world, loops[plan.loop].points)
     return Execution(world, judge, hand, problem.robot, recorder)
 
 

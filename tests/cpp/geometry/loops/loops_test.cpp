@@ -97,6 +97,20 @@ TEST(ShortestLoops, AreAsManyAsTheHoles) {
   EXPECT_EQ(shortest_loops(sphere_cloud(0.1, 600)).status, LoopStatus::no_reliable_hole);
 }
 
+TEST(ShortestLoops, GiveTheSurfaceOfAnObjectWithoutHoles) {
+  const Loops ball = shortest_loops(sphere_cloud(0.1, 600));
+  const Eigen::Matrix3Xd& points = ball.surface.points;
+  std::set<int> corners;
+  for (const auto& triangle : ball.surface.triangles.colwise()) {
+    corners.insert(triangle.begin(), triangle.end());
+    for (int i = 0; i < 3; ++i) {  // sqrt(4 pi / 600) of the radius is the distance of neighbours
+      const auto side = points.col(triangle[i]) - points.col(triangle[(i + 1) % 3]);
+      EXPECT_LT(side.norm(), 4 * 0.0145);
+    }
+  }
+  EXPECT_EQ(corners.size(), 600u);
+}
+
 TEST(ShortestLoops, OfACupNeedAHandle) {
   EXPECT_EQ(shortest_loops(cup(true)).status, LoopStatus::no_reliable_hole);
   const Loops pipe = shortest_loops(cup(false));
