@@ -10,6 +10,7 @@
 #include "graspless/geometry/shape.hpp"
 
 #include "clasp/hand/kinematics.hpp"
+#include "geometry/segment.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -42,10 +43,7 @@ double closure(const HandKinematics& hand) {
 double distance(const Vector3d& a, const Vector3d& b, const Vector3d& on_line,
                 const Vector3d& along) {
   const auto across = [&](const Vector3d& v) { return Vector3d(v - v.dot(along) * along); };
-  const Vector3d from = across(on_line - a), d = across(b - a);
-  const double square = d.squaredNorm();
-  const double t = square > 0 ? std::clamp(from.dot(d) / square, 0.0, 1.0) : 0.0;
-  return (from - t * d).norm();
+  return geometry::distance_to_segment(across(on_line), across(a), across(b));
 }
 
 /// Centre of the bounding box of all curves, with sides along the hand's directions.

@@ -12,6 +12,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/segment.hpp"
+
 namespace graspless::perception {
 namespace {
 
@@ -38,13 +40,6 @@ class Ring {
   std::vector<Eigen::Vector2d> points_;
 };
 
-double distance_to_chord(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
-                         const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-18), 0.0, 1.0);
-  return (p - a - t * along).norm();
-}
-
 /// Adds the indices where the polyline from `first` to `last` must bend, without `last`.
 void split(const Ring& ring, std::size_t first, std::size_t last, double tolerance,
            std::vector<std::size_t>& corners) {
@@ -56,7 +51,7 @@ void split(const Ring& ring, std::size_t first, std::size_t last, double toleran
     std::size_t worst = a;
     double most = tolerance;
     for (std::size_t i = a + 1; i < b; ++i) {
-      const double far = distance_to_chord(ring.point(i), ring.point(a), ring.point(b));
+      const double far = geometry::distance_to_segment(ring.point(i), ring.point(a), ring.point(b));
       if (far > most) {
         most = far;
         worst = i;

@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "geometry/quantile.hpp"
 #include "perception/footprint.hpp"
 #include "perception/rays_around.hpp"
 
@@ -20,13 +21,6 @@ constexpr double kFlat = 0.15;           // spread of the heights of what is fla
 constexpr double kFlatSpread = 0.0015;   // and at least [m]
 constexpr double kSignificantTop = 4.5;  // deviations of the mean of a window
 constexpr int kBorder = 3;               // pixels
-
-float quantile(std::vector<float> values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// Heights of a cluster.
 struct Top {
@@ -65,15 +59,17 @@ Top top_of(const Cluster& cluster, const std::vector<PixelSet>& sets, const Supp
     sum += static_cast<double>(p->raw);
   }
   const auto n = static_cast<double>(inner.size());
-  const double middle = static_cast<double>(quantile(heights, 0.5));
-  const double spread = static_cast<double>(quantile(heights, 0.95) - quantile(heights, 0.05));
+  const double middle = static_cast<double>(geometry::quantile(heights, 0.5));
+  const double spread =
+      static_cast<double>(geometry::quantile(heights, 0.95) - geometry::quantile(heights, 0.05));
   // Means of 5 x 5 pixels still spread by a fifth of the noise.
   const double expected = 3.3 * deviation / 5;
   const double plane = std::hypot(support.height_error, 0.3e-3);
   if (spread < std::max(kFlatSpread, kFlat * middle) + expected) {
     return {sum / n, std::hypot(deviation / std::sqrt(n), plane), true};
   }
-  return {static_cast<double>(quantile(heights, kTop)), std::hypot(deviation / 5, plane), false};
+  return {static_cast<double>(geometry::quantile(heights, kTop)), std::hypot(deviation / 5, plane),
+          false};
 }
 
 /// Centroid and longest axis of the cells.

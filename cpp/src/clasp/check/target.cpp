@@ -7,6 +7,7 @@
 
 #include "clasp/check/checker.hpp"
 #include "clasp/search/pull.hpp"
+#include "geometry/segment.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -20,10 +21,8 @@ Eigen::Vector3d nearest_point(const Eigen::Matrix3Xd& loop, const Eigen::Vector3
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d nearest = p;
   for (Eigen::Index i = 0; i < loop.cols(); ++i) {
-    const Eigen::Vector3d a = loop.col(i), ab = loop.col((i + 1) % loop.cols()) - a;
-    const double t =
-        ab.squaredNorm() > 0 ? std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) : 0;
-    const Eigen::Vector3d q = a + t * ab;
+    const Eigen::Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
+    const Eigen::Vector3d q = a + geometry::nearest_on_segment(p, a, b) * (b - a);
     if ((q - p).norm() >= least) continue;
     least = (q - p).norm();
     nearest = q;

@@ -17,6 +17,7 @@
 #include "clasp/search/hole.hpp"
 #include "clasp/search/pull.hpp"
 #include "clasp/stability/pinch.hpp"
+#include "geometry/segment.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -109,9 +110,8 @@ ClaspTarget nearest_target(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
   constexpr int kTargets = 256;
   ClaspTarget nearest{loop.col(0), Vector3d::Zero()};
   for (Eigen::Index i = 0; i < loop.cols(); ++i) {
-    const Vector3d a = loop.col(i), d = loop.col((i + 1) % loop.cols()) - a;
-    const double square = d.squaredNorm();
-    const Vector3d q = a + (square > 0 ? std::clamp(d.dot(p - a) / square, 0.0, 1.0) : 0.0) * d;
+    const Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
+    const Vector3d q = a + geometry::nearest_on_segment(p, a, b) * (b - a);
     if ((q - p).norm() < (nearest.point - p).norm()) nearest.point = q;
   }
   double least = std::numeric_limits<double>::infinity();

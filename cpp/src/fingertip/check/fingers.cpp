@@ -12,6 +12,7 @@
 #include "graspless/collision/world.hpp"
 
 #include "fingertip/check/check.hpp"
+#include "geometry/segment.hpp"
 #include "text.hpp"
 
 namespace graspless::fingertip::checking {
@@ -19,13 +20,6 @@ namespace {
 
 bool is_same_contact(const FingerState& a, const FingerState& b, double length) {
   return (a.p_OC - b.p_OC).norm() <= length && (a.n_O - b.n_O).norm() <= 1e-9;
-}
-
-double distance_to_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                           const Eigen::Vector3d& b) {
-  const Eigen::Vector3d ab = b - a;
-  const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (a + t * ab - p).norm();
 }
 
 /// Distance from a point to a triangle with the unit normal n. It is measured straight down where
@@ -37,7 +31,7 @@ double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d (&co
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d &a = corner[i], &b = corner[(i + 1) % 3];
     inside = inside && (b - a).cross(p - a).dot(n) >= 0;
-    nearest = std::min(nearest, distance_to_segment(p, a, b));
+    nearest = std::min(nearest, geometry::distance_to_segment(p, a, b));
   }
   return inside ? std::abs(n.dot(p - corner[0])) : nearest;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/pulse.hpp"
+#include "geometry/quantile.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -17,12 +18,6 @@ constexpr std::size_t kNeighbors = 6;  // of a point inside an even cloud on a s
 /// triangulated surface exceeds it, in a random one 1 % do; holes between fewer points than that
 /// are beyond the cloud's resolution.
 constexpr double kReach = 2;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 using Neighbor = std::pair<double, int>;  // distance [m], point
 

@@ -10,6 +10,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
+
 namespace graspless::geometry::alpha {
 
 double extent(const Eigen::Matrix2Xd& points) {
@@ -63,9 +65,7 @@ double AlphaShapes::median_spacing() const {
       least = std::min(least, length);
     }
   }
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
-  return *middle;
+  return median(nearest);
 }
 
 std::vector<Loop> AlphaShapes::loops(double alpha) const {

@@ -10,6 +10,7 @@
 #include "graspless/geometry/shape.hpp"
 
 #include "geometry/polygon/cgal_polygon.hpp"
+#include "geometry/segment.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -33,9 +34,7 @@ double signed_area(const Eigen::Matrix2Xd& v) {
 
 double squared_distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                                    const Eigen::Vector2d& b) {
-  const Eigen::Vector2d ab = b - a;
-  const double t = std::min(1.0, std::max(0.0, (p - a).dot(ab) / ab.squaredNorm()));
-  return (p - a - t * ab).squaredNorm();
+  return (p - a - nearest_on_segment(p, a, b) * (b - a)).squaredNorm();
 }
 
 constexpr double kMinArea = 1e-12;  // [m^2]

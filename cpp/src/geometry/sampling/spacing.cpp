@@ -9,6 +9,7 @@
 #include "graspless/geometry/sampling.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/point_grid.hpp"
 
@@ -16,12 +17,6 @@ namespace graspless::geometry {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Removes duplicates, because many equal points would fill one cell whatever its size.
 Eigen::Matrix3Xd distinct(const Eigen::Matrix3Xd& points) {

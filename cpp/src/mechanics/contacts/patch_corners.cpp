@@ -7,19 +7,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/segment.hpp"
+
 namespace graspless::mechanics {
 namespace {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
-}
-
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
-                           const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double s = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-  return (p - a - s * along).norm();
 }
 
 /// Rotates the points so that the first coordinate runs along the patch. The order along it is then
@@ -69,8 +63,8 @@ std::vector<int> patch_corners(const Eigen::Matrix2Xd& raw, double tolerance) {
 
   for (std::size_t k = 0; k < hull.size() && hull.size() > 1;) {
     const std::size_t n = hull.size();
-    const double off = distance_to_segment(points.col(hull[k]), points.col(hull[(k + n - 1) % n]),
-                                           points.col(hull[(k + 1) % n]));
+    const double off = geometry::distance_to_segment(
+        points.col(hull[k]), points.col(hull[(k + n - 1) % n]), points.col(hull[(k + 1) % n]));
     if (off > tolerance) {
       ++k;
     } else {

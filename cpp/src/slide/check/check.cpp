@@ -8,6 +8,7 @@
 #include "graspless/watch.hpp"
 
 #include "collision/bounds.hpp"
+#include "geometry/segment.hpp"
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
 #include "slide/friction/warnings.hpp"
@@ -16,13 +17,12 @@
 namespace graspless::slide {
 
 double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p) {
+  const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   double turned = 0, nearest = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < polygon.cols(); ++i) {
     const Eigen::Vector2d a = polygon.col(i) - p, b = polygon.col((i + 1) % polygon.cols()) - p;
     turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-    const Eigen::Vector2d ab = b - a;
-    const double t = std::clamp(-a.dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (a + t * ab).norm());
+    nearest = std::min(nearest, geometry::distance_to_segment(origin, a, b));
   }
   constexpr double kPi = 3.14159265358979323846;
   return std::abs(turned) > kPi ? nearest : -nearest;

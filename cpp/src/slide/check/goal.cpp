@@ -10,6 +10,7 @@
 #include "graspless/watch.hpp"
 
 #include "geometry/convex_hull.hpp"
+#include "geometry/segment.hpp"
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
 #include "text.hpp"
@@ -52,9 +53,7 @@ geometry::Polygon::Edge edge_beside(const geometry::Polygon& Q, const Eigen::Vec
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < Q.size(); ++i) {
     const auto edge = Q.edge(i);
-    const Eigen::Vector2d along = edge.b - edge.a;
-    const double t = std::clamp((p - edge.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const double distance = (p - edge.a - t * along).norm();
+    const double distance = geometry::distance_to_segment(p, edge.a, edge.b);
     const double beyond = edge.inward.dot(edge.a - p);
     const bool tie = std::abs(distance - nearest) <= 1e-9;
     if (tie ? beyond <= found.inward.dot(found.a - p) : distance > nearest) continue;

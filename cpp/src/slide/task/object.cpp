@@ -10,6 +10,7 @@
 #include "graspless/mechanics/contact.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
 #include "slide/task/prisms.hpp"
 #include "slide/task/ranges.hpp"
 #include "slide/task/rim.hpp"
@@ -26,13 +27,6 @@ constexpr double kNearCom = 0.02;           // from where on points of a face co
 constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
-double quantile(std::vector<double> values, double fraction) {
-  const auto nth = values.begin() +
-                   static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
 std::vector<double> heights_of(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
   if (p_OP.cols() < 3) {
     throw std::invalid_argument(what + " needs at least 3 points, not " +
@@ -48,7 +42,7 @@ std::vector<double> heights_of(const std::string& what, const Eigen::Matrix3Xd& 
 
 void check_thin(const std::string& what, const std::vector<double>& z, double thickness,
                 double width) {
-  const double spread = quantile(z, 0.95) - quantile(z, 0.05);
+  const double spread = geometry::quantile(z, 0.95) - geometry::quantile(z, 0.05);
   if (spread > kMaxHeightSpread) {
     throw std::invalid_argument(
         what + " is not the top of a thin object: its heights spread over " + figure(spread) +
@@ -172,7 +166,7 @@ Object Object::prism(const std::string& name, const geometry::Polygon& outline, 
 Object Object::from_cloud(const std::string& name, const Eigen::Matrix3Xd& p_OP, double thickness) {
   const std::string what = "object '" + name + "' cloud";
   const std::vector<double> z = heights_of(what, p_OP);
-  if (thickness == 0) thickness = quantile(z, 0.5);
+  if (thickness == 0) thickness = geometry::quantile(z, 0.5);
   const geometry::Polygon outline = geometry::outline(p_OP.topRows<2>(), what);
   check_thin(what, z, thickness, width_across_edges(outline));
   return Object(name, p_OP.topRows<2>(), outline, thickness, p_OP.topRows<2>().rowwise().mean());
