@@ -115,15 +115,23 @@ std::vector<scene::Doubt> HeldReplay::prove_free(const Segment& segment, const I
 StraightWay::Deviation StraightWay::deviation(const Isometry3d& X_WO) const {
   const Vector3d a = start.translation(), b = goal.translation(), p = X_WO.translation();
   const Quaterniond from(start.linear()), to(goal.linear()), now(X_WO.linear());
-  double s =
-      is_turn() ? fraction_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm();
-  s = std::clamp(s, 0.0, 1.0);
-  const Quaterniond wanted = from.slerp(s, to);
-  const double twist = is_turn() ? 0 : twist_about((b - a).normalized(), now * wanted.conjugate());
-  const double kept = std::clamp(twist, -max_twist, max_twist);
-  const Eigen::AngleAxisd turned(is_turn() ? 0 : kept,
-                                 is_turn() ? Vector3d::UnitX() : Vector3d((b - a).normalized()));
-  return {(p - a - s * (b - a)).norm(), now.angularDistance(Quaterniond(turned) * wanted)};
+  const double s = std::clamp(
+      is_turn() ? fraction_turned(from, to, now) : (p - a).dot(b - a) / (b - a).squaredNorm(), 0.0,
+      1.0);
+  const Eigen::AngleAxisd turn(from.conjugate() * to);
+  const auto angle_off = [&](double angle) {
+    const Quaterniond wanted = from * Eigen::AngleAxisd(s * angle, turn.axis());
+    if (is_turn()) return now.angularDistance(wanted);
+    const Vector3d along = (b - a).normalized();
+    const double twist = twist_about(along, now * wanted.conjugate());
+    const Eigen::AngleAxisd kept(std::clamp(twist, -max_twist, max_twist), along);
+    return now.angularDistance(kept * wanted);
+  };
+  double angle = angle_off(turn.angle());
+  if (turn.angle() > M_PI - kSame) {  // either way round
+    angle = std::min(angle, angle_off(turn.angle() - 2 * M_PI));
+  }
+  return {(p - a - s * (b - a)).norm(), angle};
 }
 
 std::string StraightWay::fault_of(const Isometry3d& X_WO, const Options& options) const {

@@ -60,8 +60,10 @@ void PlaceSearch::run(Plan& plan) {
   }
   std::vector<Putting> without_way;
   std::size_t tried = 0;
+  bool is_unfinished = false;
   for (; tried < places_.X_WO.size() && without_way.size() < kWithoutWay; ++tried) {
-    if (!clock_.spend()) break;
+    is_unfinished = !clock_.spend();
+    if (is_unfinished) break;
     hold(options_.height);
     for (const VectorXd& q : configurations(places_.X_WO[tried])) {
       hold(options_.height);
@@ -79,7 +81,7 @@ void PlaceSearch::run(Plan& plan) {
     if (add_transfer(putting, kTreeIterations, plan)) return;
     refuse("no way from the start");
   }
-  fail(tried, plan);
+  fail(tried, is_unfinished || clock_.is_out(), plan);
 }
 
 /// Fixes the object to the hand. As it hangs, it may be lower than the support by `depth` [m].
@@ -235,17 +237,18 @@ void PlaceSearch::append(const std::string& name, const Path& path, bool held, P
   plan.segments.push_back(std::move(segment));
 }
 
-void PlaceSearch::fail(std::size_t tried, Plan& plan) const {
+void PlaceSearch::fail(std::size_t tried, bool is_unfinished, Plan& plan) const {
   plan.status = clock_.was_interrupted() ? Status::interrupted : Status::no_place;
   const std::size_t given = places_.X_WO.size();
-  plan.reason = given == 1 ? "the object cannot be put down at its place"
-                           : "none of the " + std::to_string(tried) + " places tried works";
+  plan.reason = tried == 0   ? "no place was tried"
+                : given == 1 ? "the object cannot be put down at its place"
+                             : "none of the " + std::to_string(tried) + " places tried works";
   const auto most =
       std::max_element(statistics_.refusals.begin(), statistics_.refusals.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (most != statistics_.refusals.end())
     plan.reason += "; most frequent obstruction: " + most->first;
-  if (clock_.is_out()) plan.reason += "; the budget ran out before everything was tried";
+  if (is_unfinished) plan.reason += "; the budget ran out before everything was tried";
 }
 
 Statistics PlaceSearch::statistics() {

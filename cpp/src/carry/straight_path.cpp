@@ -34,7 +34,8 @@ bool StraightPath::contains(const Eigen::Isometry3d& X_WO, const Options& option
   const Eigen::AngleAxisd turned(R);
   const double part = along_.norm() > kShort
                           ? p.dot(along_) / along_.squaredNorm()
-                          : turned.angle() * turned.axis().dot(turn_.axis()) / turn_.angle();
+                          : turned.angle() * std::abs(turned.axis().dot(turn_.axis())) /
+                                turn_.angle();  // half a turn has either sign
   const double s = std::clamp(part, 0.0, 1.0);
   if ((p - s * along_).norm() > options.tolerance) return false;
   const Eigen::Quaterniond off(Eigen::Matrix3d(X_WO.linear() * pose(s, 0).linear().transpose()));

@@ -80,9 +80,11 @@ class Search {
   void search(const std::vector<Grasp>& grasps, Plan& plan) {
     std::vector<Pinch> unreached;  // no straight motion leads there
     std::size_t tried = 0;
+    bool is_unfinished = false;
     const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
-      if (!clock_.spend()) break;
+      is_unfinished = !clock_.spend();
+      if (is_unfinished) break;
       ++tried;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
         bool is_uneven = false;
@@ -99,7 +101,7 @@ class Search {
       if (add_approach(pinch, kIterations, plan)) return;
       refuse("no way from home");
     }
-    fail(tried, plan);
+    fail(tried, is_unfinished || clock_.is_out(), plan);
   }
 
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
@@ -180,7 +182,7 @@ class Search {
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }
 
-  void fail(std::size_t tried, Plan& plan) {
+  void fail(std::size_t tried, bool is_unfinished, Plan& plan) {
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
     plan.reason = "none of " + std::to_string(tried) + " hand poses works";
     const auto& refusals = statistics_.refusals;
@@ -188,7 +190,7 @@ class Search {
         std::max_element(refusals.begin(), refusals.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most != refusals.end()) plan.reason += "; most frequent obstruction: " + most->first;
-    if (clock_.is_out()) plan.reason += "; the budget ran out before everything was tried";
+    if (is_unfinished) plan.reason += "; the budget ran out before everything was tried";
   }
 
   const Problem& problem_;

@@ -230,7 +230,9 @@ bool can_be_left(const Query& query, Plan& plan) {
 
 std::string reason(Query& query, const Plan& plan) {
   if (plan.status == Status::solved) return "solved";  // depths of collisions are not wanted
-  if (plan.statistics.iterations == 0) return "the budget allowed no iteration";
+  if (plan.statistics.iterations == 0)
+    return query.clock.was_interrupted() ? "interrupted before the first iteration"
+                                         : "the budget allowed no iteration";
   const bool pairs = plan.status == Status::no_valid_pair;
   // Without the time: the same seed and iterations give the same file.
   const std::string refused = " within " + std::to_string(plan.statistics.iterations) +

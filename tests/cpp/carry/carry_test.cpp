@@ -56,6 +56,31 @@ TEST(Carry, TurnsToo) {
   }
 }
 
+TEST(Carry, TurnsHalfWayRoundEitherWay) {
+  std::mt19937_64 rng(1);
+  std::normal_distribution<double> normal;
+  VectorXd q(8);
+  q << 0, 0.7, 0, 1.6, 0, 0.84, 0, 0.15;  // the hand points down
+  Problem problem = held_box(wam(), q, {0, 0, 0.1});
+  const Isometry3d held = problem.object.X_WB;
+  int solved = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Isometry3d X_OF(Eigen::Quaterniond(normal(rng), normal(rng), normal(rng), normal(rng))
+                              .normalized());  // another frame of the same object
+    problem.object.X_WB = held * X_OF;
+    problem.object.shapes[0].X_BG = X_OF.inverse();
+    problem.X_WO_goal = Eigen::Translation3d(held.translation()) *
+                        AngleAxisd(M_PI, Vector3d::UnitZ()) *
+                        Eigen::Translation3d(-held.translation()) * problem.object.X_WB;
+    if (i % 2 == 1) problem.X_WO_goal = moved(problem.X_WO_goal, {0, 0, 0.03});
+    const Plan found = plan(problem);
+    if (!found) continue;
+    ++solved;
+    EXPECT_EQ(faults_of(problem, found), "") << i;
+  }
+  EXPECT_GE(solved, 3);
+}
+
 TEST(Carry, GoesBackAlongTheSamePath) {
   const Problem there = held_box(wam(), {0.05, 0.1, 0.1});
   const Plan found = plan(there);

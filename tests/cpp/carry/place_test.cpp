@@ -53,6 +53,20 @@ TEST(CarryPlace, GoesOnToTheNextPlaceIfOneIsTaken) {
   EXPECT_NE(none.reason.find("'cup'"), std::string::npos) << none.reason;
 }
 
+TEST(CarryPlace, SaysThatTheBudgetRanOut) {
+  const Problem problem = over_table(wam(), {on_table(3, 0), on_table(0.6, 0.2)});
+  planning::Budget budget;
+  budget.iterations = 0;
+  EXPECT_EQ(plan(problem, {}, budget).reason,
+            "no place was tried; the budget ran out before everything was tried");
+  budget.iterations = 1;
+  EXPECT_EQ(plan(problem, {}, budget).reason,
+            "none of the 1 places tried works; most frequent obstruction: out of the arm's reach; "
+            "the budget ran out before everything was tried");
+  budget.iterations = 2;
+  EXPECT_TRUE(plan(problem, {}, budget));
+}
+
 TEST(CarryPlace, GoesAroundObstacles) {
   Problem problem = over_table(wam(), {on_table(0.5, -0.2)});
   problem.obstacles.push_back(

@@ -49,9 +49,9 @@ TEST(StraightPath, ContainsNothingBesideIt) {
   const Vector3d aside = Vector3d(0.1, 0.2, -0.05).unitOrthogonal();
   EXPECT_TRUE(path.contains(moved(on, 0.5 * options.tolerance * aside), options));
   EXPECT_FALSE(path.contains(moved(on, 1.5 * options.tolerance * aside), options));
-  const Isometry3d turned = on * AngleAxisd(0.02, Vector3d::UnitX());
-  EXPECT_FALSE(path.contains(turned, options) &&
-               path.contains(on * AngleAxisd(0.02, Vector3d::UnitZ()), options));
+  Isometry3d turned = on;
+  turned.linear() = AngleAxisd(0.02, aside) * on.linear();
+  EXPECT_FALSE(path.contains(turned, options));
   EXPECT_TRUE(path.contains(path.pose(0.4, 0.1), options));
   EXPECT_FALSE(path.contains(path.pose(0.4, 0.11), options));
   const Vector3d along = Vector3d(0.1, 0.2, -0.05).normalized();
