@@ -204,3 +204,33 @@ def test_random_tasks():
         assert not run["fault"], run
         assert run["cpu"] < run["seconds"] + GENEROUS, run
         assert run["memory"] < run["asked"] + 150e6, run
+
+
+LITTLE_MEMORY = """
+import resource
+import numpy as np
+from graspless import collision, frames, geometry
+x, y = np.meshgrid(np.linspace(0, 1, 300), np.linspace(0, 1, 300))
+waves = np.column_stack([x.ravel(), y.ravel(), 0.1 * np.sin(9 * x.ravel()) * np.cos(7 * y.ravel())])
+i = np.arange(300 * 300).reshape(300, 300)
+a, b, c, d = (corner.ravel() for corner in (i[:-1, :-1], i[:-1, 1:], i[1:, :-1], i[1:, 1:]))
+triangles = np.vstack([np.column_stack([a, b, c]), np.column_stack([b, d, c])])
+world = collision.World()
+world.add_body("waves", [geometry.PlacedShape(geometry.Mesh(waves, triangles))])
+world.add_body("box", [geometry.PlacedShape(geometry.Box([0.02, 0.02, 0.02]))])
+world.add_pair("waves", "box")
+world.set_pose("box", frames.translation([0.5, 0.5, 0.1 * np.sin(4.5) * np.cos(3.5)]))
+size = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + 20_000_000, size + 20_000_000))
+try:
+    world.all_collisions()
+except MemoryError:
+    print("MemoryError")
+"""
+
+
+def test_a_mesh_for_which_there_is_no_memory_is_an_error():
+    ended = subprocess.run(
+        [sys.executable, "-c", LITTLE_MEMORY], capture_output=True, text=True, check=True
+    )
+    assert ended.stdout == "MemoryError\n"

@@ -24,8 +24,8 @@ struct Placement {
   Eigen::Vector3d half_W = Eigen::Vector3d::Zero();
 };
 
-/// True if X is finite, its rotation is orthonormal up to rounding, and its translation is at most
-/// geometry::kMaxLength.
+/// True if X is finite, its translation is at most geometry::kMaxLength, and no entry of its
+/// rotation exceeds 1. Cheap enough for every pose that a search tries.
 bool is_pose(const Eigen::Isometry3d& X);
 
 /// Throws std::invalid_argument that names `what` unless is_pose(X).

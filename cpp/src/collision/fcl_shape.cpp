@@ -86,9 +86,12 @@ Geometry make_surface(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& 
   auto surface = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   surface->bv_fitter = std::make_shared<BoxFitter>();
   announce_memory(2.0 * static_cast<double>(faces.size()) * sizeof(fcl::BVNode<fcl::OBBRSSd>));
-  surface->beginModel(static_cast<int>(faces.size()), static_cast<int>(corners.size()));
-  surface->addSubModel(corners, faces);
-  surface->endModel();
+  const auto require = [](int code) {
+    if (code != fcl::BVH_OK) throw std::bad_alloc();  // nothing else can fail here
+  };
+  require(surface->beginModel(static_cast<int>(faces.size()), static_cast<int>(corners.size())));
+  require(surface->addSubModel(corners, faces));
+  require(surface->endModel());
   return surface;
 }
 
@@ -211,6 +214,8 @@ Touch FclTest::operator()(const CollisionShape& a, const Eigen::Isometry3d& X_WA
     const auto contacts = fcl::collide(a.geometry->get(), X_WA, b.geometry->get(), X_WB,
                                        scratch_->request, scratch_->result);
     return contacts > 0 ? Touch::yes : Touch::no;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return Touch::failed;
   }

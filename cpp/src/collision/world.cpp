@@ -87,7 +87,7 @@ void World::add_pair(int a, int b) {
   impl_->require_body(a, "a");
   impl_->require_body(b, "b");
   if (a == b) throw std::invalid_argument("body '" + name(a) + "' cannot be tested against itself");
-  if (impl_->find(a, b) >= 0) return;
+  if (!impl_->tested.insert(std::minmax({a, b})).second) return;
   impl_->pairs.push_back({std::min(a, b), std::max(a, b), Eigen::Vector3d::Zero(), 0, {}, {}});
   ++impl_->revision;
 }
@@ -95,6 +95,7 @@ void World::add_pair(int a, int b) {
 void World::remove_pair(int a, int b) {
   const int pair = impl_->find(a, b);
   if (pair < 0) return;
+  impl_->tested.erase(std::minmax({a, b}));
   impl_->pairs.erase(impl_->pairs.begin() + pair);
   ++impl_->revision;
 }
@@ -124,6 +125,9 @@ void World::keep_apart(int a, int b, double clearance) {
 int World::num_pairs() const { return static_cast<int>(impl_->pairs.size()); }
 
 std::pair<int, int> World::pair(int index) const {
+  if (index < 0 || index >= num_pairs())
+    throw std::invalid_argument("index must be in [0, " + std::to_string(num_pairs()) + "), not " +
+                                std::to_string(index));
   const Pair& pair = impl_->pairs[index];
   return {pair.a, pair.b};
 }

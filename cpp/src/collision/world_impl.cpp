@@ -41,6 +41,7 @@ void World::Impl::require_body(int body, const char* what) const {
 }
 
 int World::Impl::find(int a, int b) const {
+  if (tested.count(std::minmax({a, b})) == 0) return -1;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (pairs[i].a == std::min(a, b) && pairs[i].b == std::max(a, b)) return static_cast<int>(i);
   }

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graspless/collision/world.hpp"
@@ -48,6 +50,7 @@ struct World::Impl {
   std::vector<int> first_placement;   // first placement of each body
   std::vector<Placement> placements;  // one per shape
   std::vector<Pair> pairs;
+  std::set<std::pair<int, int>> tested;  // the bodies of `pairs`
   std::vector<double> bounds;
   FclTest test;
   int checks = 0;

@@ -97,6 +97,21 @@ TEST(World, HullIgnoresInnerAndRepeatedPoints) {
   }
 }
 
+TEST(World, KeepsEachPairOnce) {
+  World world;
+  for (const char* name : {"a", "b", "c"}) world.add_body(name, {{geometry::Sphere{0.1}}});
+  world.add_pair(2, 0);
+  world.add_pair(0, 1);
+  world.add_pair(0, 2);
+  EXPECT_EQ(world.pairs(), (std::vector<std::pair<int, int>>{{0, 2}, {0, 1}}));
+  World copy = world;
+  copy.remove_pair(2, 0);
+  copy.add_pair(2, 0);
+  EXPECT_EQ(copy.pairs(), (std::vector<std::pair<int, int>>{{0, 1}, {0, 2}}));
+  EXPECT_EQ(world.num_pairs(), 2);
+  EXPECT_THROW(world.pair(2), std::invalid_argument);
+}
+
 TEST(World, TestsEveryShapeOfABody) {
   World world;
   const int a = world.add_body("comb", {{geometry::Sphere{0.1}, translation(0, 0, 0)},
