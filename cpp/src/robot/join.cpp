@@ -134,7 +134,9 @@ void rename_urdf(const Renamings& names, TiXmlElement& gripper) {
     if (tag == "parent" || tag == "child") apply(names.links, e, "link");
     if (tag == "mimic") apply(names.joints, e, "joint");
     if (tag == "material") apply(names.materials, e, "name");
-    if (tag == "gazebo") apply(names.links, e, "reference");
+    if (tag != "gazebo") return;
+    const bool is_link = names.links.count(attribute_or_empty(e, "reference")) > 0;
+    apply(is_link ? names.links : names.joints, e, "reference");
   });
 }
 

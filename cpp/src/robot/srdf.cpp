@@ -45,10 +45,19 @@ class SrdfReader {
       if (model_.group_faults.count(name) == 0) tolerate([&, e = element] { read_group(*e); });
     }
     for_each(root_, "group_state", [&](const TiXmlElement& e) { read_state(e); });
-    for_each(root_, "disable_collisions", [&](const TiXmlElement& e) { disable(e); });
+    Pairs disabled;
+    for_each(root_, "disable_default_collisions",
+             [&](const TiXmlElement& e) { add_all(link(e, "link"), disabled); });
+    for_each(root_, "enable_collisions", [&](const TiXmlElement& e) { disabled.erase(pair(e)); });
+    for_each(root_, "disable_collisions", [&](const TiXmlElement& e) { disabled.insert(pair(e)); });
+    for (const auto& [a, b] : disabled)
+      if (a != b) model_.ignored_pairs.emplace(a, b);
   }
 
  private:
+  using Pair = std::pair<int, int>;  // of links, the smaller index first
+  using Pairs = std::set<Pair>;
+
   /// Runs `function` on each child, and makes a warning of what it throws.
   template <typename Function>
   void for_each(const TiXmlElement& parent, const char* name, Function function) {
@@ -207,9 +216,13 @@ class SrdfReader {
     return true;
   }
 
-  void disable(const TiXmlElement& element) {
-    const int a = link(element, "link1"), b = link(element, "link2");
-    if (a != b) model_.ignored_pairs.emplace(std::min(a, b), std::max(a, b));
+  Pair pair(const TiXmlElement& element) const {
+    return std::minmax({link(element, "link1"), link(element, "link2")});
+  }
+
+  void add_all(int one, Pairs& pairs) const {
+    for (int other = 0; other < static_cast<int>(model_.links.size()); ++other)
+      pairs.insert(std::minmax({one, other}));
   }
 
   const TiXmlElement& root_;

@@ -88,9 +88,11 @@ std::pair<double, double> bounds(const urdf::Joint& joint) {
   return {lower, upper};
 }
 
-/// A limit of 0 means none: many files write it for "unknown".
-double positive_or_infinity(double value) {
-  return value > 0 ? value : std::numeric_limits<double>::infinity();
+/// A limit of 0 means none: many files write it for "unknown". Warns of one below 0.
+double positive_or_infinity(double value, const std::string& what, Robot::Model& model) {
+  if (value > 0) return value;
+  if (value < 0) model.warnings.push_back(what + " is " + figure(value) + ", taken for no limit");
+  return std::numeric_limits<double>::infinity();
 }
 
 void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Model& model) {
@@ -104,8 +106,11 @@ void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Mo
     if (joint.type == urdf::Joint::PRISMATIC) model.step_weights(i) = kRadPerMeter;
     std::tie(model.lower(i), model.upper(i)) = bounds(joint);
     if (!joint.limits) continue;
-    model.max_velocity(i) = positive_or_infinity(joint.limits->velocity);
-    model.max_effort(i) = positive_or_infinity(joint.limits->effort);
+    const std::string of = " of joint '" + joint.name + "'";
+    model.max_velocity(i) =
+        positive_or_infinity(joint.limits->velocity, "the velocity limit" + of, model);
+    model.max_effort(i) =
+        positive_or_infinity(joint.limits->effort, "the effort limit" + of, model);
   }
 }
 

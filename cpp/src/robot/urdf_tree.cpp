@@ -8,6 +8,7 @@
 
 #include <tinyxml.h>
 
+#include "robot/urdf_capsules.hpp"
 #include "robot/xml.hpp"
 
 namespace graspless::robot {
@@ -208,16 +209,17 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
   check_chains(*robot, edges, tree.joints);
   tree.warnings = check_types(*robot, tree.root);
-  tree.xml = xml;
+  bool is_changed = replace_capsules(*robot);
   for (const std::string& warning :
        {complete_limits(*robot, "effort"), complete_limits(*robot, "velocity"),
         drop_partial_inertials(*robot)}) {
     if (warning.empty()) continue;
     tree.warnings.push_back(warning);
-    TiXmlPrinter printer;
-    document.Accept(&printer);
-    tree.xml = printer.Str();
+    is_changed = true;
   }
+  TiXmlPrinter printer;
+  if (is_changed) document.Accept(&printer);
+  tree.xml = is_changed ? printer.Str() : xml;
   return tree;
 }
 

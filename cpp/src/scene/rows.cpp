@@ -15,11 +15,15 @@ void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
                 const std::vector<Eigen::VectorXd>& rows,
                 const std::function<void(std::size_t row, const std::string& what)>& fault) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double step = robot.step(before, rows[row]);
+    Eigen::Index joint = 0;
+    const Eigen::VectorXd moved = (rows[row] - before).cwiseAbs();
+    const Eigen::VectorXd& weights = robot.step_weights();
+    const double step = moved.cwiseProduct(weights).maxCoeff(&joint);
     if (row == 0 && step > same) fault(row, "does not continue the segment before it");
     if (step > kLongestStep) {
       std::ostringstream text;
-      text << "a joint moves by " << step << " rad between rows";
+      text << "joint '" << robot.joint_names()[static_cast<std::size_t>(joint)] << "' moves by "
+           << moved[joint] << (weights[joint] > 1 ? " m" : " rad") << " between rows";
       fault(row, text.str());
     }
     if (!robot.is_within(rows[row], 1e-6)) fault(row, "leaves the joint limits");

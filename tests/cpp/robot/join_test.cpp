@@ -31,7 +31,7 @@ const std::string kGripper =
     "<joint name='follow' type='prismatic'><parent link='palm'/><child link='right'/>"
     "<axis xyz='0 -1 0'/><limit lower='0' upper='0.04' velocity='1' effort='1'/>"
     "<mimic joint='turn'/></joint>"
-    "<gazebo reference='left'><kp>1</kp></gazebo></robot>";
+    "<gazebo reference='left'><kp>1</kp></gazebo><gazebo reference='turn'/></robot>";
 
 Description arm() {
   return {kArm,
@@ -124,6 +124,7 @@ TEST(Join, PutsThePrefixBeforeAllNames) {
   EXPECT_EQ(robot.group_names(), (std::vector<std::string>{"arm", "left_arm", "left_hand"}));
   EXPECT_EQ(robot.frame("left_palm"), 4);
   EXPECT_CONTAINS(joined.urdf, "<gazebo reference=\"left_left\">");
+  EXPECT_CONTAINS(joined.urdf, "<gazebo reference=\"left_turn\"");
   EXPECT_CONTAINS(joined.urdf, "package://none/a.stl");  // found when it is drawn, or never
 }
 

@@ -129,6 +129,12 @@ Isometry3d kdl_pose(const urdf::ModelInterface& urdf, const std::string& link,
   return X;
 }
 
+TEST(Robot, StaysWholeWhenMoved) {
+  Robot robot = oddity();
+  const Robot other = std::move(robot);
+  EXPECT_EQ(robot.joint_names(), other.joint_names());  // NOLINT(bugprone-use-after-move)
+}
+
 TEST(Robot, ForwardIsKdlsForEveryFrame) {
   const Robot robot = oddity();
   const auto urdf = urdf::parseURDFFile(data_file("oddity.urdf"));

@@ -50,6 +50,22 @@ TEST(Srdf, DisablesCollisions) {
   EXPECT_EQ(robot.ignored_pairs().count({robot.frame("root"), robot.frame("tip")}), 1u);
 }
 
+TEST(Srdf, DisablesTheDefaultCollisionsOfALink) {
+  const std::string all = "<disable_default_collisions link='tip'/>";
+  const auto is_ignored = [](const Robot& robot, const std::string& a, const std::string& b) {
+    const std::pair<int, int> pair = std::minmax({robot.frame(a), robot.frame(b)});
+    return robot.ignored_pairs().count(pair) == 1;
+  };
+  const Robot robot = with(all);
+  EXPECT_TRUE(robot.warnings().empty());
+  for (const std::string& other : robot.frame_names())
+    EXPECT_EQ(is_ignored(robot, other, "tip"), other != "tip") << other;
+  const Robot enabled = with("<enable_collisions link1='root' link2='tip'/>" + all);
+  EXPECT_FALSE(is_ignored(enabled, "root", "tip"));
+  EXPECT_TRUE(is_ignored(enabled, "slide", "tip"));
+  EXPECT_FALSE(with("<disable_default_collisions link='x'/>").warnings().empty());
+}
+
 TEST(Srdf, SkipsGroupsWithUnknownNames) {
   EXPECT_EQ(fault_of_group("<group name='g'><joint name='x'/></group>"),
             "group 'g' cannot be used: SRDF line 2: the URDF has no joint 'x'");

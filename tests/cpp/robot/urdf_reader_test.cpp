@@ -127,6 +127,42 @@ TEST(UrdfReader, WarnsOfLimitsWithoutEffortOrVelocity) {
   EXPECT_EQ(robot.urdf(), "<robot name='r'>" + chain + "</robot>");
 }
 
+TEST(UrdfReader, ReadsCapsulesThatUrdfDoesNotHave) {
+  const std::string of = "<origin xyz='0.1 0.2 0.3' rpy='0.4 -1 2'/><geometry>";
+  const std::string capsule = of + "<capsule radius='0.05' length='0.2'/></geometry>";
+  const std::string link =
+      "<link name='a'><visual><geometry><capsule radius='1' length='1'/>"
+      "</geometry></visual><collision>";
+  const Robot robot = read(link + capsule + "</collision></link>");
+  EXPECT_TRUE(robot.warnings().empty());
+  ASSERT_EQ(robot.shapes().size(), 1u);
+  const auto& placed = robot.shapes()[0].placed;
+  const auto& found = std::get<geometry::Capsule>(placed.shape);
+  EXPECT_EQ(found.radius, 0.05);
+  EXPECT_EQ(found.length, 0.2);
+  const Eigen::Isometry3d X_LG = Eigen::Translation3d(0.1, 0.2, 0.3) *
+                                 Eigen::AngleAxisd(2, Eigen::Vector3d::UnitZ()) *
+                                 Eigen::AngleAxisd(-1, Eigen::Vector3d::UnitY()) *
+                                 Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitX());
+  EXPECT_TRUE(placed.X_BG.isApprox(X_LG, 1e-9));
+  EXPECT_CONTAINS(refused(link + "<geometry><capsule radius='1'/></geometry></collision></link>"),
+                  "URDF line 1: <capsule> has no attribute 'length'");
+  EXPECT_CONTAINS(refused(link + of +
+                          "<capsule radius='1' length='x'/></geometry></collision>"
+                          "</link>"),
+                  "URDF line 1: <capsule>: ");
+}
+
+TEST(UrdfReader, WarnsOfLimitsBelowZero) {
+  const Robot robot =
+      read(links({"a", "b"}) +
+           joint("elbow", "a", "b", "<limit lower='0' upper='1' velocity='-2' effort='-5'/>"));
+  EXPECT_EQ(robot.warnings(), (std::vector<std::string>{
+                                  "the velocity limit of joint 'elbow' is -2, taken for no limit",
+                                  "the effort limit of joint 'elbow' is -5, taken for no limit"}));
+  EXPECT_EQ(robot.max_velocity()[0], std::numeric_limits<double>::infinity());
+}
+
 TEST(UrdfReader, WarnsOfInertialsWithoutMassOrInertia) {
   const std::string inertia = "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>";
   const Robot robot =
