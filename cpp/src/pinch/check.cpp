@@ -93,6 +93,9 @@ class Examination {
         if (!sound) fault(segment, i, "has the wrong size or a value that is not finite");
       }
     }
+    const double opening = jaw_.widest();
+    if (!(std::abs(plan_.opening - opening) <= kSame))
+      fault("plan", "opening must be " + figure(opening) + " m, not " + figure(plan_.opening));
     if (plan_.contacts_O.cols() != 2 || !plan_.contacts_O.allFinite())
       fault("plan", "must have two contacts");
     return faults_.empty();

@@ -126,8 +126,9 @@ std::vector<std::string> faults_of_load(const Problem& problem, const Plan& plan
                      " kg");
   }
   if (is_wall && !plan.max_mass) faults.push_back("max_mass is missing");
-  if (plan.max_mass && !(*plan.max_mass <= (1 + kMeasured) * bears))
-    faults.push_back("max_mass must be at most the " + figure(bears) + " kg that the pads bear");
+  if (plan.max_mass && !(*plan.max_mass > 0 && *plan.max_mass <= (1 + kMeasured) * bears))
+    faults.push_back("max_mass must be above 0 and at most the " + figure(bears) +
+                     " kg that the pads bear");
   return faults;
 }
 

@@ -41,7 +41,13 @@ TEST(PinchLoad, RefusesWhatThePadsDoNotBear) {
   Plan boastful = light;
   boastful.max_mass = 3;
   problem.object = bar.with_mass(1);
-  EXPECT_NE(joined(check(problem, boastful)).find("max_mass must be at most"), std::string::npos);
+  const std::string bound = "max_mass must be above 0 and at most";
+  EXPECT_NE(joined(check(problem, boastful)).find(bound), std::string::npos);
+  boastful.max_mass = -1;
+  EXPECT_NE(joined(check(problem, boastful)).find(bound), std::string::npos);
+  boastful = light;
+  boastful.opening += 0.01;
+  EXPECT_NE(joined(check(problem, boastful)).find("plan: opening must be"), std::string::npos);
 }
 
 /// Twist: a hammer can be held by its handle alone, away from its centre of mass.
@@ -103,7 +109,7 @@ TEST(PinchLoad, TheNearerFingerBearsMore) {
   EXPECT_NEAR(*aside.max_mass / *centred.max_mass, 0.5 / (0.5 + 0.024 / 0.05), 0.08);
   Plan boastful = aside;
   boastful.max_mass = centred.max_mass;
-  EXPECT_NE(joined(check(problem, boastful, options)).find("max_mass must be at most"),
+  EXPECT_NE(joined(check(problem, boastful, options)).find("above 0 and at most"),
             std::string::npos);
   boastful = aside;
   boastful.friction = 0;
