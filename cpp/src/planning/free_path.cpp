@@ -3,6 +3,7 @@
 #include "graspless/planning/free_path.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include <ompl/base/goals/GoalState.h>
@@ -72,6 +73,7 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
 std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
                                    const Eigen::VectorXd& to, int iterations,
                                    std::mt19937_64& rng) {
+  if (from.size() != to.size()) throw std::invalid_argument("from and to must have one size");
   if (space.is_motion_free(from, to)) return Path{from, to};
   if (iterations <= 0 || !space.is_free(from) || !space.is_free(to)) return std::nullopt;
   const auto path = grow(space, from, to, iterations, rng);

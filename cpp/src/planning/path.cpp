@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "graspless/watch.hpp"
+
+#include "text.hpp"
 
 namespace graspless::planning {
 
@@ -39,15 +42,21 @@ Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rn
 }
 
 Path subdivided(const Path& path, double step, const Eigen::VectorXd& weights) {
+  constexpr double kMost = 1e7;
+  require(step > 0, "step", step, "must be positive");
   const auto span = [&](const Eigen::VectorXd& change) {
     return weights.size() == 0 ? change.lpNorm<Eigen::Infinity>()
                                : change.cwiseProduct(weights).lpNorm<Eigen::Infinity>();
   };
   Path fine;
   for (const Eigen::VectorXd& q : path) {
+    if (q.size() != path.front().size() || (weights.size() > 0 && q.size() != weights.size()))
+      throw std::invalid_argument("path and weights must have one size");
     if (!fine.empty()) {
       const Eigen::VectorXd from = fine.back();
-      const int pieces = static_cast<int>(std::ceil(span(q - from) / step));
+      const double steps = std::ceil(span(q - from) / step);
+      require(steps <= kMost, "step", step, "must be larger for such a path");
+      const int pieces = static_cast<int>(steps);
       for (int i = 1; i < pieces; ++i, poll()) fine.push_back(from + (q - from) * i / pieces);
     }
     fine.push_back(q);

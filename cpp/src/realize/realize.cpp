@@ -16,21 +16,6 @@ namespace {
 
 constexpr double kLittle = 0.01;  // scrub, in radii, that nobody needs to improve
 
-void check_home(const robot::Robot& robot, const Eigen::VectorXd& q_home) {
-  if (q_home.size() != robot.dof()) {
-    throw std::invalid_argument("q_home must have " + std::to_string(robot.dof()) +
-                                " values, one a joint, not " + std::to_string(q_home.size()));
-  }
-  for (int i = 0; i < robot.dof(); ++i) {
-    if (q_home[i] >= robot.lower()[i] - 1e-9 && q_home[i] <= robot.upper()[i] + 1e-9) continue;
-    std::ostringstream fault;
-    fault << "q_home of joint '" << robot.joint_names()[static_cast<std::size_t>(i)]
-          << "' must lie within its limits [" << robot.lower()[i] << ", " << robot.upper()[i]
-          << "], not " << q_home[i];
-    throw std::invalid_argument(fault.str());
-  }
-}
-
 /// All values of finger_of_fingertip.
 std::vector<std::vector<int>> assignments(int fingers) {
   std::vector<int> assignment(static_cast<std::size_t>(fingers));
@@ -65,7 +50,7 @@ void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
             const Carrier& carrier, const Eigen::VectorXd& q_home, const RealizeOptions& options,
             planning::Clock& clock, std::mt19937_64& rng, Realization& result) {
   validate_realization(problem, plan, robot, carrier, options);
-  check_home(robot, q_home);
+  robot::require_configuration(robot, q_home, "q_home");
   Misses misses;
   std::vector<Attempts> attempts;
   for (const std::vector<int>& assignment : assignments(problem.fingers.count)) {

@@ -178,7 +178,7 @@ TEST(ClaspPlan, EndsWithItsBudget) {
 
 TEST(ClaspPlan, RefusedMotionsNameTheLinksThatTouch) {
   const Plan plan = clasp::plan(ring_problem(), quick(), cycles(200));
-  int named = 0;
+  std::int64_t named = 0;
   for (const auto& [why, count] : plan.statistics.refusals) {
     if (why.rfind("motion: collision of ", 0) == 0) {
       EXPECT_NE(why.find(" with "), std::string::npos) << why;

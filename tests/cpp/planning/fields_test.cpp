@@ -18,12 +18,14 @@ struct Sample {
   double length = 1;
   int count = 2;
   bool flag = false;
+  Fruit fruit = Fruit::pear;
 };
 constexpr auto fields(const Sample&) {
   return std::make_tuple(
       Field{"length", &Sample::length, "m", "Length of it.", Range::left_open(0, 2)},
       Field{"count", &Sample::count, "", "Number of it.", Range::closed(1, 10)},
-      Field{"flag", &Sample::flag, "", "True if it is."});
+      Field{"flag", &Sample::flag, "", "True if it is."},
+      Field{"fruit", &Sample::fruit, "", "Kind of it."});
 }
 
 namespace {
@@ -57,6 +59,10 @@ TEST(Fields, TheFirstValueOutOfRangeIsNamed) {
   sample.length = 0;
   EXPECT_EQ(complaint([&] { require_in_range("sample.", sample); }),
             "sample.length must lie in (0, 2] m, not 0. Length of it.");
+  sample = {};
+  sample.fruit = static_cast<Fruit>(7);
+  EXPECT_EQ(complaint([&] { require_in_range("sample.", sample); }),
+            "sample.fruit must be one of apple, pear");
 }
 
 TEST(Choices, GiveEachValueItsName) {

@@ -46,6 +46,10 @@ TEST(Subdivided, StepsAreSmallAndOnTheWay) {
     EXPECT_LE((fine[i] - fine[i - 1]).lpNorm<Eigen::Infinity>(), 0.05 + 1e-12);
   }
   EXPECT_TRUE(subdivided({}, 0.1).empty());
+  for (const double step : {0.0, -1.0, std::nan(""), 1e-9})
+    EXPECT_THROW(subdivided(path, step), std::invalid_argument) << step;
+  EXPECT_THROW(subdivided(path, 0.1, Eigen::VectorXd::Ones(3)), std::invalid_argument);
+  EXPECT_THROW(subdivided({at(0, 0), Eigen::VectorXd::Zero(3)}, 0.1), std::invalid_argument);
 }
 
 }  // namespace

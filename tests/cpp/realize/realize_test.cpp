@@ -263,8 +263,9 @@ TEST(FingertipRealize, BadInputIsNamed) {
   bad = good;
   bad.links.pop_back();
   expect_refused(with(bad, aside(), {}), "one entry for each of the 2 fingers");
-  expect_refused(with(good, VectorXd::Zero(3), {}), "q_home must have 6 values");
-  expect_refused(with(good, VectorXd::Constant(6, 3), {}), "q_home of joint 'left_joint_1'");
+  expect_refused(with(good, VectorXd::Zero(3), {}), "q_home has 3 values for 6 joints");
+  expect_refused(with(good, VectorXd::Constant(6, 3), {}),
+                 "q_home: joint 'left_joint_1' is 3, outside its limits");
   RealizeOptions options;
   options.max_jump = 0;
   expect_refused(with(good, aside(), options),

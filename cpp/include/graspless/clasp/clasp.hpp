@@ -147,12 +147,13 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 /// target is one of those requested, and that the fingers closed until contact. It uses no code of
 /// the search, with two exceptions: the threshold derived from the hand, and the tests of stability
 /// and of a pinch and the certificate, which are run again. A second escape test uses FCL alone.
-GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
-                                             const Options& options = {});
+/// `options`: those of plan().
+[[nodiscard]] GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                                           const Options& options = {});
 
 /// Proves what check() samples: on every edge of a plan, for every t, nothing touches. See
 /// slide::certify(). Throws std::invalid_argument if the plan is not solved or malformed.
-GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
-                                             const Options& options = {});
+[[nodiscard]] GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
+                                                           const Options& options = {});
 
 }  // namespace graspless::clasp

@@ -23,6 +23,10 @@ class Core;
 /// are, and free where it is open. Immutable; copies share their data.
 class GRASPLESS_API Object {
  public:
+  /// A copy shares all data. Moving copies, so that no object is left empty.
+  Object(const Object&) = default;
+  Object& operator=(const Object&) = default;
+
   /// `p_OP`: points on the surface, 3 x n in O [m]. `rays`: of the cameras that saw them, in O. An
   /// object without a reliable hole is valid; plan() reports it as a status. Throws like
   /// geometry::shortest_loops().

@@ -15,6 +15,10 @@ namespace graspless::collision {
 /// contain the body share it. Immutable; copies are cheap.
 class GRASPLESS_API Solid {
  public:
+  /// A copy shares all data. Moving copies, so that no object is left empty.
+  Solid(const Solid&) = default;
+  Solid& operator=(const Solid&) = default;
+
   /// Throws std::invalid_argument that names `what` if there is no shape or geometry::validate
   /// rejects one.
   explicit Solid(const std::vector<geometry::PlacedShape>& shapes,

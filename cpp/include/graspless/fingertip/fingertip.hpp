@@ -192,7 +192,8 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 /// functions of mechanics (contacts, nominal forces, compliant stability, friction intervals),
 /// collision and geometry with the planner. It does not prove `lower_bound` again. Returns one
 /// fault per entry, with segment and row; empty if the plan is valid.
-GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
-                                             const Options& options = {});
+/// `options`: those of plan().
+[[nodiscard]] GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                                           const Options& options = {});
 
 }  // namespace graspless::fingertip

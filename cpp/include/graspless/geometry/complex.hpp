@@ -59,6 +59,10 @@ constexpr double kLastingRatio = 1.12;
 /// K_d for every d. Immutable; copies share their data.
 class GRASPLESS_API Filtration {
  public:
+  /// A copy shares all data. Moving copies, so that no object is left empty.
+  Filtration(const Filtration&) = default;
+  Filtration& operator=(const Filtration&) = default;
+
   /// `points`: 3 x n [m]. Equal points count once: the first is a vertex of edges, the others are
   /// isolated. Throws std::invalid_argument that names `what` if there are fewer than 4 distinct
   /// points, if one is not finite or beyond kMaxLength, or if all lie in a plane.

@@ -12,10 +12,11 @@
 
 namespace graspless::mechanics {
 
-/// Bounds of an uncertain coefficient of friction, 0 <= lower <= upper.
+/// Bounds of an uncertain coefficient of friction, 0 <= lower <= upper. A single number stands for
+/// both.
 struct FrictionInterval {
   double lower = 0.5;
-  double upper = 0.5;
+  double upper = lower;
 };
 
 /// Surfaces of the environment, such as the floor and a wall. All contacts with a surface share its

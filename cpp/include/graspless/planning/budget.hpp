@@ -25,7 +25,7 @@ struct Budget {
   std::uint64_t seed = 1;
   /// Ends the query when it returns true. Called at once, then at most every 4 ms and before large
   /// allocations, from the thread that plans.
-  std::function<bool()> interrupted;
+  std::function<bool()> interrupted = {};
 };
 
 /// Table of the members: name, unit, text, range and source.

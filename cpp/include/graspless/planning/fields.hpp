@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -85,6 +86,17 @@ std::string name_of(Enum value) {
 GRASPLESS_API void require_in_range(const std::string& name, double value, const Range& range,
                                     const std::string& unit, const std::string& text);
 
+/// Throws std::invalid_argument that states name and choices, unless an enum has the value.
+template <class Enum>
+void require_choice(const std::string& name, Enum value) {
+  std::string names;
+  for (const auto& choice : choices(Enum{})) {
+    if (choice.value == value) return;
+    names += (names.empty() ? "" : ", ") + std::string(choice.name);
+  }
+  throw std::invalid_argument(name + " must be one of " + names);
+}
+
 /// The same for all members of a struct. The message is about the first member outside its range,
 /// whose name follows `prefix`.
 template <class Struct>
@@ -94,6 +106,8 @@ void require_in_range(const std::string& prefix, const Struct& values) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, std::optional<double>>) {
       if (value) require_in_range(prefix + field.name, *value, field.range, field.unit, field.text);
+    } else if constexpr (std::is_enum_v<Value>) {
+      require_choice(prefix + field.name, value);
     } else if constexpr (std::is_arithmetic_v<Value>) {
       require_in_range(prefix + field.name, static_cast<double>(value), field.range, field.unit,
                        field.text);

@@ -29,7 +29,8 @@ GRASPLESS_API double length(const Path& path);
 GRASPLESS_API Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng);
 
 /// Returns the path with every motion subdivided so that no joint, times its weight, moves by more
-/// than `step`. Without weights, all are 1.
+/// than `step`. Without weights, all are 1. Throws std::invalid_argument unless `step` is positive,
+/// all configurations and the weights have one size, and no motion has more than 10^7 steps.
 GRASPLESS_API Path subdivided(const Path& path, double step, const Eigen::VectorXd& weights = {});
 
 }  // namespace graspless::planning

@@ -125,17 +125,20 @@ GRASPLESS_API CarriedPlan plan_carried(const Problem& problem, const Options& op
 /// Checks joint paths against problem and plan: joint limits and steps, fingertips within the
 /// tolerance of the plan's, collisions by FCL, and the object's poses. Returns one fault per entry;
 /// empty if the paths are valid.
-GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
-                                             const robot::Robot& robot, const Carrier& carrier,
-                                             const Realization& realization,
-                                             const RealizeOptions& options = {});
+/// `options`: those of realize().
+[[nodiscard]] GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                                           const robot::Robot& robot,
+                                                           const Carrier& carrier,
+                                                           const Realization& realization,
+                                                           const RealizeOptions& options = {});
 
 /// Proves what check() samples: on every edge of the joint paths, for every t, nothing touches that
 /// may not, and the fingertips keep their tolerances. The object moves on a screw from row to row.
 /// See slide::certify(). Throws std::invalid_argument if the paths were not found or are malformed.
-GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
-                                             const robot::Robot& robot, const Carrier& carrier,
-                                             const Realization& realization,
-                                             const RealizeOptions& options = {});
+[[nodiscard]] GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
+                                                           const robot::Robot& robot,
+                                                           const Carrier& carrier,
+                                                           const Realization& realization,
+                                                           const RealizeOptions& options = {});
 
 }  // namespace graspless::fingertip

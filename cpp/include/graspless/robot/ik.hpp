@@ -28,6 +28,10 @@ namespace graspless::robot {
 /// null-space pull to the middle of the limits.
 class GRASPLESS_API Ik {
  public:
+  /// A copy shares all data. Moving copies, so that no object is left empty.
+  Ik(const Ik&) = default;
+  Ik& operator=(const Ik&) = default;
+
   struct Options {
     double tolerance = 1e-9;  ///< largest pose error of an answer [m, rad]
     int max_iterations = 60;  ///< iterations of damped least squares per attempt

@@ -34,6 +34,10 @@ struct LinkShape {
 /// const calls may run in parallel.
 class GRASPLESS_API Robot {
  public:
+  /// A copy shares all data. Moving copies, so that no object is left empty.
+  Robot(const Robot&) = default;
+  Robot& operator=(const Robot&) = default;
+
   struct Options {
     std::string srdf;  ///< SRDF text: groups, group states and disabled collisions
     std::map<std::string, std::string> packages;  ///< directory of each package://NAME/
@@ -108,7 +112,7 @@ class GRASPLESS_API Robot {
 
   const std::vector<LinkShape>& shapes() const;
   /// Pairs of links (smaller index first) that are never tested for collision: adjacent (also
-  /// across links without shapes or fixed joints), rigidly connected, or disabled in the SRDF.
+  /// across links without shapes), rigidly connected, or disabled in the SRDF.
   const std::set<std::pair<int, int>>& ignored_pairs() const;
 
   /// Upper bound on how far any point of the shapes of `link` moves per unit of each joint [m/rad

@@ -55,7 +55,7 @@ class GRASPLESS_API Scene {
                         const std::vector<Eigen::VectorXd>& given);
 
   /// Index in the world of a link's body; -1 for a link without shapes.
-  int link_body(int link) const { return link_body_[static_cast<std::size_t>(link)]; }
+  int link_body(int link) const { return link_body_.at(static_cast<std::size_t>(link)); }
 
   /// True if q is within the joint limits and nothing touches.
   bool is_free(const Eigen::VectorXd& q);

@@ -21,10 +21,10 @@ constexpr auto choices(Search) {
              "Algorithm 1 with goals sampled to fit a start and connected to it directly first."}};
 }
 
-constexpr double kMaxDepth = 0.1;  ///< upper end of the range of depths [m]
+inline constexpr double kMaxDepth = 0.1;  ///< upper end of the range of depths [m]
 
 /// Range of the uncertainty of a positive quantity, as a fraction of it.
-constexpr auto kFraction = planning::Range::right_open(0, 1);
+inline constexpr auto kFraction = planning::Range::right_open(0, 1);
 
 /// Options of the search; fields() describes them. Defaults are the paper's where it gives one.
 struct Options {

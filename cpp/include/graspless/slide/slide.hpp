@@ -102,13 +102,14 @@ GRASPLESS_API Plan plan(const Problem& problem, const Options& options = {},
 
 /// Checks a plan against its problem by an independent replay at joint steps of 0.01 rad. Returns
 /// one fault per entry, with segment and row; empty if the plan is valid.
-GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
-                                             const Options& options = {});
+/// `options`: those of plan().
+[[nodiscard]] GRASPLESS_API std::vector<std::string> check(const Problem& problem, const Plan& plan,
+                                                           const Options& options = {});
 
 /// Proves what check() samples: on every edge of a plan, for every t, nothing touches that may not,
 /// and all bands of check() are kept. Edges are divided down to scene::kFinest where bounds on the
 /// motion decide nothing. Throws std::invalid_argument if the plan is not solved or malformed.
-GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
-                                             const Options& options = {});
+[[nodiscard]] GRASPLESS_API scene::EdgeCertificate certify(const Problem& problem, const Plan& plan,
+                                                           const Options& options = {});
 
 }  // namespace graspless::slide

@@ -36,7 +36,7 @@ class GRASPLESS_API Support {
   double slab() const { return slab_; }
   double friction() const { return friction_; }
   /// True if objects may stick out over an edge of the polygon.
-  bool is_usable(int edge) const { return is_usable_[static_cast<std::size_t>(edge)]; }
+  bool is_usable(int edge) const { return is_usable_.at(static_cast<std::size_t>(edge)); }
   bool has_unusable_edges() const;
   Eigen::Vector3d normal_W() const { return X_WS_.linear().col(2); }
   /// Prisms over the convex parts of the polygon, below z = 0, in S.

@@ -137,6 +137,7 @@ Eigen::Vector3d tangent(const Eigen::Vector3d& n_O, const Eigen::Vector3d& t_O) 
 
 Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double friction, int edges,
                                const Eigen::Vector3d& tangent) {
+  require(edges >= 3, "edges", edges, "must be at least 3");
   const Eigen::Vector3d left = n_O.cross(tangent);
   const double step = 2 * std::acos(-1.0) / edges;
   Eigen::Matrix3Xd cone(3, edges);

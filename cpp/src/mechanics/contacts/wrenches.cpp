@@ -66,7 +66,7 @@ EnvironmentWrenches environment_wrenches(const ContactSet& set) {
 }
 
 FingerWrenches finger_wrenches(const ContactSet& set, int finger) {
-  const Finger& f = set.fingers[static_cast<std::size_t>(finger)];
+  const Finger& f = set.fingers.at(static_cast<std::size_t>(finger));
   const Eigen::Matrix3Xd edges = cone_of(f, set.cone_edges);
   FingerWrenches wrench;
   wrench.generators = wrenches(set, f.p_OC, edges);

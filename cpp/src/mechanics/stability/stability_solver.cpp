@@ -54,6 +54,7 @@ struct StabilitySolver::Impl {
   explicit Impl(const Matrix6Xd& directions) : cuts(checked(directions)) {}
 
   bool is_bounded(ForceMask force) {
+    require_set(force);
     ++counters.bounded_tests;
     for (const EnvironmentWrenches* environment : environments) {
       const bool is_bounded = jamming.is_bounded(*environment, fingers, force);
@@ -63,7 +64,14 @@ struct StabilitySolver::Impl {
     return true;
   }
 
+  void require_set(ForceMask force) const {
+    if (environments.empty()) throw std::invalid_argument("set() must be called first");
+    if (force >> fingers.size() != 0)
+      throw std::invalid_argument("force has a bit for a finger that does not exist");
+  }
+
   CyclicCuts::Result solve(ForceMask force, double needed) {
+    require_set(force);
     ++counters.evaluations;
     const auto result = cuts.solve(environments, fingers, force, needed);
     counters.pivots = cuts.pivots();
@@ -110,6 +118,10 @@ StabilitySolver::~StabilitySolver() = default;
 void StabilitySolver::set(const std::vector<const EnvironmentWrenches*>& environments,
                           const std::vector<const FingerWrenches*>& fingers) {
   if (environments.empty()) throw std::invalid_argument("environments must not be empty");
+  const auto is_null = [](const auto* pointer) { return pointer == nullptr; };
+  if (std::any_of(environments.begin(), environments.end(), is_null) ||
+      std::any_of(fingers.begin(), fingers.end(), is_null))
+    throw std::invalid_argument("environments and fingers must not be null");
   if (fingers.size() > kMaxFingers) {
     throw std::invalid_argument("fingers must be at most " + std::to_string(kMaxFingers) +
                                 ", not " + std::to_string(fingers.size()));

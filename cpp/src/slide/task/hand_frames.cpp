@@ -183,7 +183,9 @@ void check_finger_fits(const Problem& problem, const Options& options) {
       throw std::invalid_argument(frame + in_mm(max_depth) + ", the sliding finger is " +
                                   in_mm(most) + " below the contact, more than " + in_mm(allowed) +
                                   "; the frame must lie on the finger's surface, at the lower "
-                                  "edge of its tip");
+                                  "edge of its tip; flatter pitches (options.pitch less "
+                                  "options.pitch_tolerance) and larger options.max_depth sink "
+                                  "the finger deeper");
     }
     if (least < -kReach) {
       throw std::invalid_argument(frame + in_mm(min_depth) + ", the sliding finger ends " +

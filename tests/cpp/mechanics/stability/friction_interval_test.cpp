@@ -37,6 +37,11 @@ double z_at(const ContactSet& set, const std::vector<FingerMode>& modes,
 }
 
 /// Against samples of the intervals: a proof is true everywhere, a counter-example at itself.
+TEST(FrictionInterval, IsAPointIfOneNumberIsGiven) {
+  EXPECT_EQ(FrictionInterval{0.3}.upper, 0.3);
+  EXPECT_EQ(FrictionInterval{}.upper, 0.5);
+}
+
 TEST(FrictionInterval, AgreesWithSamples) {
   std::mt19937 rng(8);
   int proofs = 0, refutations = 0;

@@ -51,6 +51,21 @@ TEST(StabilitySolver, WhatWasAskedBeforeDoesNotMatter) {
   }
 }
 
+TEST(StabilitySolver, RefusesWhatItWasNotGiven) {
+  StabilitySolver solver;
+  EXPECT_THROW(solver.evaluate(0), std::invalid_argument);
+  EXPECT_THROW(solver.max_stability(0), std::invalid_argument);
+  EXPECT_THROW(solver.internal_force_is_bounded(0), std::invalid_argument);
+  EXPECT_THROW(solver.set({nullptr}, {}), std::invalid_argument);
+  Sets sets(30);
+  const Wrenches wrenches(sets.box(2));
+  EXPECT_THROW(solver.set({&wrenches.environment}, {nullptr}), std::invalid_argument);
+  solver.set({&wrenches.environment}, wrenches.pointers());
+  EXPECT_NO_THROW(solver.evaluate(3));
+  EXPECT_THROW(solver.evaluate(4), std::invalid_argument);
+  EXPECT_THROW(finger_wrenches(sets.box(2), 2), std::out_of_range);
+}
+
 TEST(StabilitySolver, ReachesEveryDirectionWithTheForcesItNames) {
   Sets sets(32);
   const Matrix6Xd directions = disturbance_directions();
