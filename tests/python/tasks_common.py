@@ -49,6 +49,13 @@ def write_robot_with_mesh(folder):
     return mesh
 
 
+def write_renamed(folder, name, old, new):
+    """Writes a robot that comes with graspless as my.urdf and so on, with a link renamed."""
+    for path in robot.builtin(name).parent.glob(f"{name}.*"):
+        text = path.read_text().replace(f'"{old}"', f'"{new}"')
+        (folder / path.name.replace(name, "my", 1)).write_text(text)
+
+
 def fault(path):
     """The message of a task that must not be read, without its folder."""
     with pytest.raises(TaskError) as caught:

@@ -12,7 +12,7 @@ import graspless
 from clasp_common import PURSE, changed
 from graspless import _data, clasp, frames
 from graspless.tasks import task_from_dict
-from tasks_common import fault
+from tasks_common import fault, write_renamed
 
 SAMPLE = "sample: purse"
 
@@ -197,6 +197,12 @@ def test_fault_in_the_hands_file_says_its_line(write, change, what):
     assert re.search(what, message), message
     if what.startswith(("fingers.finger_2", "thumb")):
         assert message.startswith(f"my.clasp.yaml:{line}: "), message
+
+
+def test_link_with_the_name_of_the_object(write, tmp_path):
+    write_renamed(tmp_path, "kr5_sdh", "kr5_link_2", "object")
+    what = "robot.urdf: my.urdf: link 'object' has the name of another body of the plan"
+    assert what in fault(write(changed("kr5_sdh", "my.urdf")))
 
 
 def test_fingers_without_a_thumb_and_a_thumb_without_fingers(write):

@@ -21,7 +21,7 @@ from graspless.tasks.clouds import read_cloud
 from graspless.tasks.reading import parse_yaml
 from graspless.tasks.slide import model
 from graspless.tasks.source import shorten
-from tasks_common import GOOD, changed, fault
+from tasks_common import GOOD, changed, fault, run, write_renamed
 
 CARD = "rectangle: {size: [0.10, 0.08]}"
 TABLE = "rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}"
@@ -199,6 +199,22 @@ def test_broken_urdf(write, tmp_path, old, new, what):
     message = fault(write(changed("wam_t42", "my.urdf")))
     assert message.startswith("task.yaml:3: robot.urdf: my.urdf: ")
     assert re.search(what, message, re.IGNORECASE), message
+
+
+@pytest.mark.parametrize("kind", ["slide", "pinch"])
+@pytest.mark.parametrize("name", ["object", "support"])
+def test_link_with_the_name_of_another_body(write, tmp_path, capsys, kind, name):
+    write_renamed(tmp_path, "wam_t42", "wam_link_3", name)
+    path = write(changed("wam_t42", "my.urdf").replace("kind: slide", f"kind: {kind}"))
+    code, _, said = run(capsys, "plan", str(path), "-o", str(tmp_path / "plan.json"))
+    assert code == 2
+    what = f"link '{name}' has the name of another body of the plan: rename it in the URDF"
+    assert f"task.yaml:3: robot.urdf: my.urdf: {what}" in said
+
+
+def test_link_without_shapes_may_have_the_name_of_a_body(write, tmp_path):
+    write_renamed(tmp_path, "wam_t42", "flange", "object")
+    assert graspless.load_task(write(changed("wam_t42", "my.urdf")))
 
 
 def test_fault_in_the_hand_file_names_that_file(write, tmp_path):

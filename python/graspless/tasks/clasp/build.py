@@ -13,7 +13,7 @@ from ... import geometry
 from ..._core import clasp
 from ..obstacles import build_obstacles
 from ..rays import build_rays
-from ..robots import build_home, build_robot, require_srdf
+from ..robots import build_home, build_robot, require_other_names, require_srdf
 from ..shapes import pose_matrix
 from ..source import at
 from .hand import Hand, build_hand
@@ -35,6 +35,7 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
+    require_other_names(robot, ("object",), source)
     assert isinstance(task.hand, Hand)
     in_task = hand_source is source
     hand = build_hand(task.hand, robot, hand_source, ("hand",) if in_task else ())

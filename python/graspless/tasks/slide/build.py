@@ -13,7 +13,7 @@ import numpy as np
 from ... import frames, geometry
 from ..._core import slide
 from ..obstacles import build_obstacles
-from ..robots import build_home, build_robot, require_srdf
+from ..robots import build_home, build_robot, require_other_names, require_srdf
 from ..shapes import regular_polygon
 from ..source import at, shorten
 from . import model
@@ -45,6 +45,7 @@ def build(
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
+    require_other_names(robot, ("object", "support"), source)
     if not isinstance(task.hand, model.Hand):
         raise source.error(("hand",), "missing")
     hand = build_hand(task.hand, robot, hand_source)
