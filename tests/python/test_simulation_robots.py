@@ -105,13 +105,25 @@ def test_a_finger_without_a_mass_is_refused(plan_of):
         build_scene(plan_of(light), Variation())
 
 
-def test_a_link_that_moves_without_a_mass_is_named_in_the_world_of_ros(tmp_path):
-    (tmp_path / "mine.urdf").write_text(small.gripper())  # its link_3 has no shape either
-    (tmp_path / "mine.srdf").write_text(
+def write_with_srdf(folder, urdf):
+    """Writes a robot with a state `home`; returns the path of its URDF."""
+    (folder / "mine.urdf").write_text(urdf)
+    (folder / "mine.srdf").write_text(
         '<robot name="mine"><group name="arm"><joint name="joint_0"/></group>'
         '<group_state name="home" group="arm"><joint name="joint_0" value="0"/></group_state>'
         "</robot>"
     )
+    return str(folder / "mine.urdf")
+
+
+def test_a_link_with_the_name_of_a_block_is_named_in_the_world_of_ros(tmp_path):
+    path = write_with_srdf(tmp_path, heavy(small.gripper()).replace('"link_0"', '"table"'))
+    with pytest.raises(TaskError, match="link 'table' has the name of another body of the sim"):
+        World(path)
+
+
+def test_a_link_that_moves_without_a_mass_is_named_in_the_world_of_ros(tmp_path):
+    write_with_srdf(tmp_path, small.gripper())  # its link_3 has no shape either
     with pytest.raises(TaskError, match="link 'link_3' moves and has no mass or inertia"):
         World(str(tmp_path / "mine.urdf"), ())
     (tmp_path / "mine.urdf").write_text(heavy(small.gripper()))

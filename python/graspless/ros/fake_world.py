@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from .. import frames, geometry, perception
-from ..simulation.robots import compiled, joint_addresses, robot_spec, set_positions
+from ..simulation.robots import compiled, joint_addresses, robot_spec, set_positions, unused
 from ..simulation.shapes import add_placed
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot as RobotFields
@@ -73,7 +73,7 @@ class World:
         self.blocks = tuple(blocks)
         spec = robot_spec(self.robot, self.fields)
         for block in blocks:
-            body = spec.worldbody.add_body(name=block.name, pos=list(block.center))
+            body = spec.worldbody.add_body(name=unused(spec, block.name), pos=list(block.center))
             given = {}
             if block.mass > 0:
                 body.add_freejoint()
