@@ -10,7 +10,7 @@ import yaml
 
 import graspless
 import inspect_common as small
-from graspless import TaskError, load_task, robot
+from graspless import TaskError, load_task, report, robot
 from tasks_common import run
 
 CARD = """
@@ -101,6 +101,9 @@ def test_the_note_is_printed_once(folder, capsys, monkeypatch, text):
     written = graspless.load_plan("plan.json")
     (stage,) = getattr(written, "stages", [written])
     assert stage.warnings[0].startswith(note)
+    told = report.as_text(written, stage.warnings[:1])
+    assert (report.as_text(written).count(note), told.count(note)) == (1, 0)
+    assert set(told.splitlines()) < set(report.as_text(written).splitlines())
 
 
 def test_a_clasp_is_told_of_its_own_hand(found):

@@ -108,7 +108,7 @@ def _run(options: argparse.Namespace) -> int:
     finally:
         if to_stdout:
             print(plan.to_json(), end="")
-        summary = [_without_notes(report.as_text(plan), plan), report.verdict(plan, faults, edges)]
+        summary = [report.as_text(plan, _told(plan)), report.verdict(plan, faults, edges)]
         if kept is not None:
             summary.append(f"kept: {kept}, the solved plan that was there before")
         summary += [f"written: {path}" for path in written]
@@ -123,12 +123,11 @@ def _run(options: argparse.Namespace) -> int:
     return FOUND if holds else NOT_FOUND
 
 
-def _without_notes(summary: str, plan: Any) -> str:
-    """Returns a summary without the notes of proposals, which were told as the task was read."""
+def _told(plan: Any) -> list[str]:
+    """Returns the notes of proposals, which were told as the task was read."""
     tasks = [stage.task for stage in getattr(plan, "stages", [plan])]
-    told = [task for task in tasks if "proposed" not in task.source.given()]
-    notes = {f"warning: {getattr(task.fields, 'proposed', None)}" for task in told}
-    return "\n".join(line for line in summary.splitlines() if line.strip() not in notes)
+    read = [task for task in tasks if "proposed" not in task.source.given()]
+    return [getattr(task.fields, "proposed", None) or "" for task in read]
 
 
 def _change(task: Any, options: argparse.Namespace) -> Any:

@@ -14,6 +14,8 @@ from ..kinds import part
 from ..proving import proof as proofs
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from .._plan import Plan
 
 
@@ -26,11 +28,11 @@ class ReportKind(Protocol):
     def details(self, plan: Any) -> dict[str, Any]:
         """Returns the fields of `--json` that only this kind has, and `segments`."""
 
-    def lines(self, plan: Any) -> list[str]:
-        """Returns the lines of text for a plan that was found."""
+    def lines(self, plan: Any, told: Collection[str]) -> list[str]:
+        """Returns the lines of text for a plan that was found, without warnings told before."""
 
-    def lines_not_found(self, plan: Any) -> list[str]:
-        """Returns the lines of text that follow the reason if no plan was found."""
+    def lines_not_found(self, plan: Any, told: Collection[str]) -> list[str]:
+        """Returns the lines of text that follow the reason if no plan was found, likewise."""
 
 
 def as_dict(plan: Plan) -> dict[str, Any]:
@@ -55,12 +57,14 @@ def as_dict(plan: Plan) -> dict[str, Any]:
     }
 
 
-def as_text(plan: Plan) -> str:
+def as_text(plan: Plan, told: Collection[str] = ()) -> str:
     """Returns a plan's summary as a few lines of text.
 
     Parameters
     ----------
     plan : Plan
+    told : collection of str
+        Warnings that the reader has seen already; they are left out.
 
     Returns
     -------
@@ -70,7 +74,7 @@ def as_text(plan: Plan) -> str:
     stats = plan.statistics.as_dict()
     lines = [f"{plan.status} in {duration(stats.get('seconds', 0))}, seed {plan.seed}"]
     if plan:
-        lines += [f"  {line}" for line in _kind(plan).lines(plan)]
+        lines += [f"  {line}" for line in _kind(plan).lines(plan, told)]
         lines += [f"  {proof}" for proof in [proofs.verdict(plan)] if proof]
     else:
         lines.append(f"  {plan.reason}")
@@ -78,7 +82,7 @@ def as_text(plan: Plan) -> str:
     counters = [_counter(name, value) for name, value in numbers.items() if name != "seconds"]
     lines.append("  search: " + ", ".join(counters))
     if not plan:
-        lines += [f"  {line}" for line in _kind(plan).lines_not_found(plan)]
+        lines += [f"  {line}" for line in _kind(plan).lines_not_found(plan, told)]
     return "\n".join(lines)
 
 
@@ -123,6 +127,11 @@ def the(name: str) -> str:
     """Returns the name of an object in a sentence: "the card", "object_0"."""
     is_word = not any(letter.isdigit() or letter == "_" for letter in name)
     return f"the {name}" if is_word else name
+
+
+def warning_lines(plan: Any, told: Collection[str]) -> list[str]:
+    """Returns a line per warning of a plan that was not told before."""
+    return [f"warning: {warning}" for warning in plan.warnings if warning not in told]
 
 
 def segment_details(plan: Plan) -> list[dict[str, Any]]:

@@ -12,6 +12,8 @@ from .. import frames
 from . import refused, segment_details, segment_lines, the
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ..carry import Plan
 
 
@@ -24,7 +26,7 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns a line per segment, and how far the object moves."""
     return [*segment_lines(plan), f"the hand {moved(plan)}"]
 
@@ -44,7 +46,7 @@ def moved(plan: Plan) -> str:
     return f"carries {the(name)} {distance} along a straight path{turned}"
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns how far the arm can follow the path, and why steps were rejected."""
     reached = [f"reached: {100 * plan.reached:.0f} % of the path"]
     return [*(reached if plan.task.problem.places is None else []), *refused(plan)]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from . import as_dict, as_text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Collection, Iterator
 
     from ..chain import Plan
 
@@ -25,18 +25,18 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns the lines of each stage."""
-    return list(_stages(plan))
+    return list(_stages(plan, told))
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns the lines of the stages that were planned; the last one may have failed."""
-    return list(_stages(plan))
+    return list(_stages(plan, told))
 
 
-def _stages(plan: Plan) -> Iterator[str]:
+def _stages(plan: Plan, told: Collection[str]) -> Iterator[str]:
     for name, stage in zip(plan.names, plan.stages, strict=True):
-        first, *rest = as_text(stage).splitlines()
+        first, *rest = as_text(stage, told).splitlines()
         yield f"{name} ({stage.kind}): {first}"
         yield from (f"  {line}" for line in rest)

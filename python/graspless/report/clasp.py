@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..clasp import Status
-from . import count, refused, segment_lines
+from . import count, refused, segment_lines, warning_lines
 from .loops import betti_line, loop_line
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ..clasp import Certificate, Plan
 
 
@@ -36,12 +38,11 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns a line per segment, and the clasp's loop, virtual linking and security."""
     assert plan.stability is not None
     loops = plan.task.problem.object.loops.found
-    found = [f"warning: {warning}" for warning in plan.warnings]
-    found += segment_lines(plan)
+    found = [*warning_lines(plan, told), *segment_lines(plan)]
     found.append(f"clasps {loop_line(loops, plan.loop or 0)}")
     ends = _ends(plan)
     if ends:
@@ -68,12 +69,12 @@ def lines(plan: Plan) -> list[str]:
     return found
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns why targets, connections and clasps failed; without a hole, the Betti curve."""
     if plan.status is Status.no_reliable_hole:
         loops = plan.task.problem.object.loops
         return [f"warning: {warning}" for warning in loops.warnings] + betti_line(loops)
-    return [f"warning: {warning}" for warning in plan.warnings] + refused(plan)
+    return warning_lines(plan, told) + refused(plan)
 
 
 def _target(plan: Plan) -> dict[str, list[float]] | None:

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import count
+from . import count, warning_lines
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ..fingertip import JointSegment, Plan, Segment
 
 UNITS = {"fingers.max_normal_force": " N", "min_stability": " N"}
@@ -46,7 +48,7 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns the cost, a line per segment, and the weakest row."""
     cost, bound = plan.cost or 0.0, plan.lower_bound
     optimal = bound is not None and cost - bound <= 1e-9 * max(1.0, cost)
@@ -56,7 +58,7 @@ def lines(plan: Plan) -> list[str]:
         else f"at least {_length(bound)} on any plan"
     )
     found = [f"cost {_cost(plan)}: {gap}"]
-    found += [f"warning: {warning}" for warning in plan.warnings]
+    found += warning_lines(plan, told)
     found += [_segment_line(segment) for segment in plan.segments]
     found += [_joint_line(segment) for segment in plan.joint_segments]
     if plan.weakest is not None:
@@ -79,7 +81,7 @@ def lines(plan: Plan) -> list[str]:
     return found
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns the limit that rules out every plan, and the least changes that would help."""
     found = [f"limiting condition: {plan.limit}"] if plan.limit else []
     return found + [

@@ -11,6 +11,8 @@ import numpy as np
 from . import refused, segment_details, segment_lines, the
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ..pinch import Plan
 
 
@@ -24,7 +26,7 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns a line per segment, and what the pinch needs."""
     name = plan.task.problem.object.name
     friction = f"{plan.friction:.2f}"
@@ -37,7 +39,7 @@ def lines(plan: Plan) -> list[str]:
     return [*segment_lines(plan), pinched]
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns why hand poses were rejected."""
     return refused(plan)
 

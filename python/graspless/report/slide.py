@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import refused, segment_details, segment_lines, the
+from . import refused, segment_details, segment_lines, the, warning_lines
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
+
     from ..slide import Plan
 
 
@@ -25,15 +27,15 @@ def details(plan: Plan) -> dict[str, Any]:
     }
 
 
-def lines(plan: Plan) -> list[str]:
+def lines(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns a line per segment, the slide's distance and overhang, and the warnings."""
     found = [*segment_lines(plan), _slide_line(plan)]
     if plan.tube.position:
         found.append(_tube_line(plan))
-    return [*found, *(f"warning: {warning}" for warning in plan.warnings)]
+    return [*found, *warning_lines(plan, told)]
 
 
-def lines_not_found(plan: Plan) -> list[str]:
+def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
     """Returns why start and goal contacts and their pairs were rejected."""
     return refused(plan)
 
