@@ -30,9 +30,15 @@ def plan_type(kind: str) -> Any:
     return importlib.import_module(f".{kind}", __package__).Plan
 
 
+def stages_of(plan: Any) -> list[Any]:
+    """Returns the stages of a chain, or the plan itself. The first one's task has the object."""
+    stages: list[Any] = getattr(plan, "stages", [plan])
+    return stages
+
+
 def missing_motion(plan: Any) -> str:
     """Returns what a solved plan lacks to move anything; an empty text if it lacks nothing."""
-    stages = getattr(plan, "stages", [plan])
+    stages = stages_of(plan)
     for stage in stages:
         joints = getattr(stage, "joint_segments", ())
         if stage and getattr(stage._task, "arm", None) is not None and not joints:

@@ -14,6 +14,8 @@ import yaml
 import graspless
 from graspless import _data, frames
 from graspless.chain.state import begins, ends
+from graspless.ros import work
+from graspless.ros.jobs import TaskJob
 from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying
 from tasks_common import fault, reread, run, without_clock, write_robot_with_mesh
@@ -552,6 +554,12 @@ def test_chain_that_is_not_executed_in_one_go(tumble):
         graspless.simulate(tumble)
     assert "a slide, a pinch or a clasp and the carries" in str(said.value)
     assert "plan." not in str(said.value)
+
+
+def test_chain_of_bare_fingertips_has_no_trajectory_for_controllers():
+    found = work.done(TaskJob(TUMBLE, limits={"max_jerk": 50.0}), lambda _: None)
+    assert (found.status, found.joint_names) == ("solved", [])
+    assert found.warnings == ["the plan moves no joints: its fingertips have no arm"]
 
 
 def test_chain_of_one_slide_is_that_slide(lift, write):

@@ -21,7 +21,7 @@ from .._commands import (
 )
 from .._pictures import add_pictures, check_pictures, draw
 from ..errors import TaskError
-from ..kinds import part
+from ..kinds import part, stages_of
 from ..proving.cli import add_jobs, add_prove, searched
 
 
@@ -125,7 +125,7 @@ def _run(options: argparse.Namespace) -> int:
 
 def _told(plan: Any) -> list[str]:
     """Returns the notes of proposals, which were told as the task was read."""
-    tasks = [stage.task for stage in getattr(plan, "stages", [plan])]
+    tasks = [stage.task for stage in stages_of(plan)]
     read = [task for task in tasks if "proposed" not in task.source.given()]
     return [getattr(task.fields, "proposed", None) or "" for task in read]
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import files, frames
-from ..timing.trajectory import stages_of
+from ..kinds import stages_of
 from .drake_robot import ROOT, fingers_urdf, robot_urdf
 from .drake_sdf import Meshes, model_sdf
 from .fingers import centers

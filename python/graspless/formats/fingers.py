@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..timing.trajectory import stages_of
+from ..kinds import stages_of
 
 if TYPE_CHECKING:
     from ..frames import Matrix

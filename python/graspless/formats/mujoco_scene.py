@@ -11,6 +11,7 @@ import numpy as np
 import trimesh
 
 from .. import frames, geometry
+from ..kinds import stages_of
 from ..simulation.clasp.surface import inertia, skin
 from ..simulation.robots import apply, robot_spec, unused
 from ..simulation.settings import Clasp
@@ -18,7 +19,7 @@ from ..simulation.shapes import add_skin, give_inertia
 from ..simulation.slide.shapes import plate_inertia
 from ..tasks.slide.build import build_object as build_slide_object
 from ..tasks.source import Source
-from ..timing.trajectory import robot_of, stages_of
+from ..timing.trajectory import robot_of
 from .mujoco_shapes import add_shape
 from .mujoco_surroundings import add_surroundings
 

@@ -14,7 +14,7 @@ import numpy as np
 import rerun
 
 from .. import files, frames, geometry
-from ..timing.trajectory import stages_of
+from ..kinds import stages_of
 from ..view.bodies import ARM, OBJECT, OBSTACLE, placed_part, robot_bodies
 from .fingers import centers, contacts
 from .mujoco_scene import FINGER

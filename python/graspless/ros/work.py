@@ -20,13 +20,13 @@ import numpy as np
 from .. import _api, perception, report, timing
 from .._core.planning import OutOfTime
 from ..errors import TaskError, explain
+from ..kinds import stages_of
 from ..perception.clouds import view_of_cloud, view_of_organized
 from ..picking import pick
 from ..plan_files import read_plan
 from ..tasks import task_from_dict
 from ..tasks.reading import parse_yaml
 from ..timing.squeeze import squeezed
-from ..timing.trajectory import stages_of
 from .jobs import CheckJob, Found, PickJob, TaskJob
 
 if TYPE_CHECKING:
@@ -199,7 +199,7 @@ def _finished(
         return replace(found, status="faulty", reason=found.faults[0])
     tell("timing")
     found.status, found.reason = "solved", ""
-    if not getattr(plan, "joint_names", None) and not hasattr(plan, "stages"):
+    if not plan.joint_names:
         found.warnings.append("the plan moves no joints: its fingertips have no arm")
         return found
     _take(squeezed(timing.time(plan, **job.limits), job.squeeze), found)

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..kinds import stages_of
+
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .trajectory import Trajectory
@@ -48,7 +50,7 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
     travel : float
         As of `beyond`; 0 changes nothing.
     """
-    plan: Any = getattr(trajectory.plan, "stages", [trajectory.plan])[0]
+    plan: Any = stages_of(trajectory.plan)[0]
     closes = np.flatnonzero(np.array(trajectory.names) == "close")
     if travel <= 0 or plan.kind not in ("slide", "pinch") or not len(closes):
         return trajectory

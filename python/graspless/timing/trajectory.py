@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import frames
 from ..errors import TaskError
+from ..kinds import stages_of
 from .rates import Rate
 from .settings import LONGEST, require_positive
 
@@ -25,12 +26,6 @@ if TYPE_CHECKING:
     from .._plan import Plan
     from ..frames import Matrix
     from .clip import Clip
-
-
-def stages_of(plan: Any) -> list[Any]:
-    """Returns the stages of a chain, or the plan itself. The first one's task has the object."""
-    stages: list[Any] = getattr(plan, "stages", [plan])
-    return stages
 
 
 def robot_of(plan: Any) -> Robot | None:

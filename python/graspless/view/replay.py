@@ -91,6 +91,6 @@ def _stage(server: Any, plan: Plan, recording: Recording | None) -> Stage:
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=True)
     given = () if recording is None else (recording,)
-    shown = plan if recording is None else getattr(plan, "stages", [plan])[0]  # of a chain
+    shown = plan if recording is None else kinds.stages_of(plan)[0]
     stage: Stage = kinds.part("view", shown.kind, "replay").Stage(server, shown, *given)
     return stage
