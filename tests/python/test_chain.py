@@ -160,6 +160,13 @@ def test_every_stage_lists_the_meshes_that_it_reads(tmp_path, write, obstacles):
         graspless.load_plan(tmp_path / "plan.json")
 
 
+def test_document_of_a_task_is_the_task(lift, tumble, write):
+    stages = zip(graspless.plan(lift.task.to_dict()).stages, lift.stages, strict=True)
+    assert all(without_clock(a) == without_clock(b) for a, b in stages)
+    again = yaml.safe_dump(tumble.task.to_dict())  # in a task file, too
+    assert graspless.load_task(write(again)) == tumble.task
+
+
 def test_fingers_regrasp_between_stages(tumble):
     assert tumble, tumble.reason
     assert graspless.check(tumble) == []
