@@ -4,16 +4,20 @@
 
 from __future__ import annotations
 
+import math
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import frames
 from . import count, warning_lines
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
     from ..fingertip import JointSegment, Plan, Segment
+    from ..frames import Matrix
 
 UNITS = {"fingers.max_normal_force": " N", "min_stability": " N"}
 
@@ -108,15 +112,16 @@ def _joint_line(segment: JointSegment) -> str:
     return f"  arm: {segment.name:10}{number:>5} {rows}{slips}"
 
 
+def travelled(X_WO: Matrix, name: str) -> float:
+    """Returns the length of a slide [cm], or the angle of any other motion [degrees]."""
+    if name == "slide":
+        return float(100 * np.linalg.norm(np.diff(X_WO[:, :3, 3], axis=0), axis=1).sum())
+    return math.degrees(sum(frames.angle(a, b) for a, b in pairwise(X_WO)))
+
+
 def _moved(segment: Segment) -> str:
-    """Returns how far the object moves: cm for a slide, degrees for a turn or tumble."""
-    poses = segment.X_WO
-    if segment.name == "slide":
-        steps = np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1)
-        return f"{100 * steps.sum():.1f} cm"
-    turns = np.einsum("kji,kjl->kil", poses[:-1, :3, :3], poses[1:, :3, :3])
-    traces = np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)
-    return f"{np.degrees(np.arccos(traces)).sum():.0f} deg"
+    far = travelled(segment.X_WO, segment.name)
+    return f"{far:.1f} cm" if segment.name == "slide" else f"{far:.0f} deg"
 
 
 def _modes(segment: Segment) -> str:

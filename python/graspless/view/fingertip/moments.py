@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...report.fingertip import travelled
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -140,17 +142,6 @@ def measure(segments: Sequence[Segment]) -> tuple[float, str]:
     total = sum(travelled(segment.X_WO, name) for segment in segments)
     unit = f"{name} [cm]" if name == "slide" else f"{name} [degrees]"
     return total / arcs, unit
-
-
-def travelled(X_WO: Matrix, name: str) -> float:
-    """Returns the length of a slide [cm], or the angle of any other motion [degrees]."""
-    if len(X_WO) < 2:
-        return 0.0
-    if name == "slide":
-        return float(100 * np.linalg.norm(np.diff(X_WO[:, :3, 3], axis=0), axis=1).sum())
-    turns = np.einsum("kji,kjl->kil", X_WO[:-1, :3, :3], X_WO[1:, :3, :3])
-    traces = np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)
-    return float(np.degrees(np.arccos(traces)).sum())
 
 
 def _same_grip(before: Segment, after: Segment) -> bool:
