@@ -20,13 +20,27 @@ from graspless.environments import PlanEnv, demonstrate, demonstrations
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    """Two episodes of Pick."""
+def recorded(tmp_path_factory):
+    """The folder of two episodes of Pick, and each episode by its seed."""
     path = tmp_path_factory.mktemp("demonstrations") / "pick"
-    told = []
-    tried = demonstrate("Pick", path, 2, seed=2, progress=lambda *n: told.append(n))
+    told, episodes, true = [], {}, demonstrations._Takes._record
+
+    def record(self, seed, film):
+        episodes[seed] = true(self, seed, film)
+        return episodes[seed]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(demonstrations._Takes, "_record", record)
+        tried = demonstrate("Pick", path, 2, seed=2, progress=lambda *n: told.append(n))
     assert told[-1] == (2, tried)
-    return path
+    assert list(episodes) == [2, 3]
+    return path, episodes
+
+
+@pytest.fixture
+def folder(recorded):
+    """Two episodes of Pick."""
+    return recorded[0]
 
 
 def columns(folder):
@@ -81,30 +95,35 @@ def test_lerobot_reads_them(folder):
             np.testing.assert_array_equal(frame[name].numpy(), found[name][i].astype(np.float32))
 
 
-def recorder(monkeypatch, holds):
-    """Records episodes that hold by their seeds; returns the seeds that were asked for."""
+def recorder(monkeypatch, holds, known):
+    """Records episodes that hold by their seeds, but those that are known; returns the seeds that
+    were asked for.
+    """
     seeds, true = [], demonstrations._Takes._record
 
     def record(self, seed, film):
         seeds.append(seed)
-        return true(self, seed, film) if holds(seed) else None
+        if not holds(seed):
+            return None
+        return known[seed] if seed in known else true(self, seed, film)
 
     monkeypatch.setattr(demonstrations._Takes, "_record", record)
     return seeds
 
 
-def test_only_what_held_is_kept(tmp_path, monkeypatch):
-    seeds = recorder(monkeypatch, lambda seed: seed % 2)
+def test_only_what_held_is_kept(tmp_path, monkeypatch, recorded):
+    seeds = recorder(monkeypatch, lambda seed: seed % 2, recorded[1])
     assert demonstrate("Pick", tmp_path / "a", 1, seed=2) == 2
     assert seeds == [2, 3]
-    recorder(monkeypatch, lambda _: False)
+    recorder(monkeypatch, lambda _: False, {})
     with pytest.raises(TaskError, match="Pick: 20 episodes in a row did not hold"):
         demonstrate("Pick", tmp_path / "b", 1)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b.part"]
 
 
-def test_an_interrupted_recording_goes_on(tmp_path, monkeypatch, folder):
-    seeds = recorder(monkeypatch, lambda _: True)
+def test_an_interrupted_recording_goes_on(tmp_path, monkeypatch, recorded):
+    folder, episodes = recorded
+    seeds = recorder(monkeypatch, lambda _: True, {2: episodes[2]})
 
     def interrupt(held, tried):
         raise KeyboardInterrupt
