@@ -246,7 +246,8 @@ def clock(batch):
     site = batch.folder / "site"
     site.mkdir()
     (site / "sitecustomize.py").write_text(JUMPS)
-    code, _ = batch.finish(env=os.environ | {"PYTHONPATH": str(site)})
+    paths = [str(site), os.environ.get("PYTHONPATH", "")]
+    code, _ = batch.finish(env=os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))})
     return f"exit code {code}"
 
 
