@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..clasp.cloud import resolve_object
 from ..effective_values import in_force as _in_force
+from ..effective_values import plain
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..robot_files import resolve_robot
@@ -80,25 +81,28 @@ def in_force(fields: CarryTask, problem: carry.Problem, options: carry.Options) 
 
 
 def _aim(problem: carry.Problem) -> dict[str, Any]:
-    places, goal = problem.places, problem.X_WO_goal
+    places = problem.places
     if places is None:
-        assert goal is not None
-        return {"goal": pose_fields(goal)}
+        assert problem.X_WO_goal is not None
+        return {"goal": pose_fields(problem.X_WO_goal)}
     poses = [pose_fields(X_WO) for X_WO in places.X_WO]
     return {
-        "place": {"on": places.on, "normal": places.normal_W, "poses": poses},
-        "open": places.q_open,
+        "place": {"on": places.on, "normal": plain(places.normal_W), "poses": poses},
+        "open": plain(places.q_open),
+        "way_out": plain(places.way_out) or None,
+        "down": plain(places.down_O) if places.down_O.any() else None,
     }
 
 
 def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
     """Returns the task file of a problem, without options and budget."""
-    held = problem.object
+    held, X_WO_hanging = problem.object, problem.X_WO_hanging
     return {
         "robot": robot_fields(problem.robot, problem.q_start),
         **struct_fields(problem, ["arm", "frame"]),
         "object": {"name": held.name, "parts": part_fields(held.shapes)},
         "pose": pose_fields(held.X_WB),
+        "hanging": None if X_WO_hanging is None else pose_fields(X_WO_hanging),
         **_aim(problem),
         "rests_on": list(problem.rests_on),
         "obstacles": obstacle_fields(problem.obstacles),
