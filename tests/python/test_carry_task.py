@@ -6,8 +6,8 @@ import pickle
 
 import pytest
 
-from graspless import carry, collision, frames, geometry, robot
-from graspless.tasks import Task, task_from_dict
+from graspless import TaskError, carry, collision, frames, geometry, robot
+from graspless.tasks import Task, read_task, task_from_dict
 from graspless.tasks.statement import difference
 
 ARM = robot.Robot.from_urdf_file(str(robot.builtin("wam_t42")))
@@ -44,3 +44,36 @@ def test_a_problem_reads_as_it_was_written(given):
     again = task_from_dict(task.to_dict(), "task")
     assert difference(problem, again.problem, "problem") is None
     assert pickle.loads(pickle.dumps(task)) == task
+
+
+GOOD = """\
+kind: carry
+robot:
+  urdf: wam_t42
+frame: grasp
+object: {name: bar, box: [0.02, 0.02, 0.1]}
+pose: {}
+offset: [0, 0, 0.1]
+obstacles:
+  - {name: block, box: [0.1, 0.1, 0.1]}
+  - {name: post, box: [0.1, 0.1, 0.1], pose: {position: [0, 0, 1]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "what"),
+    [
+        ("post", "bar", 10, r"obstacles\[1\].name: bar: is taken by a link, another"),
+        ("[0, 0, 1]", "[1.0e5, 0, 0]", 10, r"obstacles\[1\].pose: must be a rigid pose"),
+        ("pose: {}", "pose: {position: [1.0e5, 0, 0]}", 6, r"pose: must be a rigid pose"),
+        ("[0, 0, 0.1]", "[0, 0, 1.0e5]", 7, r"offset: must be a rigid pose"),
+        ("[0, 0, 0.1]", "[0, 0, 1.0e-8]", 7, r"offset: must differ from the object's pose"),
+        ("offset: [0, 0, 0.1]", "goal: {}", 7, r"goal: must differ from the object's pose"),
+        ("obstacles:", "rests_on: [block, b]\nobstacles:", 8, "rests_on: there is no obstacle 'b'"),
+        ("frame: grasp", "frame: base_link", 4, r"frame: base_link: "),
+    ],
+)
+def test_a_fault_names_its_field(old, new, line, what):
+    assert GOOD.count(old) == 1
+    with pytest.raises(TaskError, match=rf"^task.yaml:{line}: {what}"):
+        read_task(GOOD.replace(old, new), "task.yaml")

@@ -236,6 +236,14 @@ def test_fault_says_file_line_field_value_and_choice(write, change, line, what):
     assert "\n" not in message
 
 
+@pytest.mark.parametrize("none", ["path", "sequence", "lattice", "goal", "turn", "tumble"])
+def test_a_field_that_is_null_is_not_blamed(write, none):
+    wall = "walls: [{name: w, normal: [-1, 0, 0], offset: -0.05}]\nbudget:"
+    text = changed("motion:", f"motion:\n  {none}: null")
+    message = fault(write(changed("budget:", wall, text)))
+    assert re.search(r"motion.slide: .*w\b", message), message
+
+
 def test_goal_in_a_wall_is_refused(write):
     wall = "walls: [{name: w, normal: [-1, 0, 0], offset: -0.05}]\nbudget:"
     message = fault(write(changed("budget:", wall)))

@@ -134,7 +134,21 @@ FAULTS = [
     (
         more("obstacles: [{name: left_finger, box: [1, 1, 1]}]"),
         13,
-        r"obstacles\[0\]: 'left_finger' is taken by a link",
+        r"obstacles\[0\].name: left_finger: is taken by a link",
+    ),
+    (
+        more(
+            "obstacles:\n- {name: a, box: [1, 1, 1]}\n"
+            "- {name: b, box: [1, 1, 1], pose: {position: [1.0e5, 0, 0]}}"
+        ),
+        15,
+        r"obstacles\[1\].pose: must be a rigid pose",
+    ),
+    (("height: 0.0", "height: 1.0e5"), 12, r"support.height: 100000.0: must be within 10000 m"),
+    (
+        ("height: 0.0", "pose: {position: [0, 1.0e5, 0]}"),
+        12,
+        r"support.pose: must be within 10000 m",
     ),
     (
         more("obstacles: [{name: a, box: [1, 1, 1]}, {name: a, box: [1, 1, 1]}]"),

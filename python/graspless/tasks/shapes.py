@@ -52,6 +52,11 @@ class Fields(BaseModel):
             found = " and ".join(given) or "none"
             raise ValueError(f"{count} of {', '.join(names)} must be given, not {found}")
 
+    def first_of(self, *names: str) -> str:
+        """Returns the first of some fields, by default of all, that is given."""
+        fields = names or type(self).model_fields
+        return next(name for name in fields if getattr(self, name) is not None)
+
 
 class Pose(Fields):
     """Pose of a frame in another; angles about fixed x, y, z as in URDF."""

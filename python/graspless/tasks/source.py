@@ -49,7 +49,7 @@ class Source:
     def message(self, location: Iterable[str | int], what: str) -> str:
         """Returns a message in one line: file:line: field: value: allowed values."""
         place = tuple(location)
-        value, known = self._look_up(place)
+        value, known = self.look_up(place)
         longest = LONGEST_PATH if what.startswith(_ABSENT) else LONGEST
         is_shown = known and not isinstance(value, (dict, list))
         shown = f"{shorten(value, longest)}: " if is_shown else ""
@@ -62,7 +62,7 @@ class Source:
 
     def depth(self, place: Location) -> int:
         """Returns the number of steps of the path to a field that exist in the data."""
-        known = (n for n in range(len(place), 0, -1) if self._look_up(place[:n])[1])
+        known = (n for n in range(len(place), 0, -1) if self.look_up(place[:n])[1])
         return next(known, 0)
 
     def error(self, location: Iterable[str | int], what: str) -> TaskError:
@@ -94,7 +94,8 @@ class Source:
         if found := [self.message(*fault) for fault in faults(self.data)]:
             raise TaskError("\n".join(found[:MOST_FAULTS]))
 
-    def _look_up(self, place: Location) -> tuple[Any, bool]:
+    def look_up(self, place: Location) -> tuple[Any, bool]:
+        """Returns the value of a field, and True if the file has it."""
         value = self.data
         for key in place:
             try:
@@ -107,7 +108,7 @@ class Source:
         """A pydantic location without the tags of unions, which are not in the file."""
         place: Location = ()
         for i, key in enumerate(location):
-            if self._look_up((*place, key))[1] or (is_missing and i == len(location) - 1):
+            if self.look_up((*place, key))[1] or (is_missing and i == len(location) - 1):
                 place = (*place, key)
         return place
 
@@ -122,10 +123,10 @@ class Source:
         if kind == "model_type" or kind == "dict_type":
             fields = sorted(_fields_at(model, fault["loc"])) if kind == "model_type" else []
             names = f" with some of: {', '.join(fields)}" if fields else ""
-            value = self._look_up(place)[0]
+            value = self.look_up(place)[0]
             shown = f"{shorten(value)}: " if isinstance(value, list) else ""
             return self.message(place, f"{shown}should be a mapping{names}{_advice(kind, value)}")
-        value = self._look_up(place)[0]
+        value = self.look_up(place)[0]
         text = re.sub(r"^(Value error, |Input )| after validation", "", fault["msg"])
         text += _advice(kind, value)
         if kind == "literal_error":

@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ... import collision, frames, geometry
 from ..._core import carry
+from ..blame import blamed
 from ..clasp.build import build_object as build_clasp_object
 from ..obstacles import build_obstacles, placed_parts
 from ..robots import build_home, build_robot, require_srdf
@@ -63,7 +63,7 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
     try:
         carry.validate(problem)
     except ValueError as error:
-        raise source.error(*_blamed(str(error))) from None
+        raise blamed(source, str(error), _places(task)) from None
     return problem
 
 
@@ -123,25 +123,22 @@ def _support(support: Any, source: Source) -> collision.Obstacle:
     return collision.Obstacle(SUPPORT, list(built.shapes), np.asarray(built.X_WS))
 
 
-# What the core calls a part of a problem, and where it stands in a task file.
-_PLACES: dict[str, Location] = {
-    "X_WO_goal": ("goal",),
-    "X_WO_hanging": ("hanging",),
-    "object": ("object",),
-    "obstacles": ("obstacles",),
-    "places.X_WO": ("place", "poses"),
-    "places.on": ("place", "on"),
-    "places.q_open": ("open",),
-    "places.way_out": ("way_out",),
-    "places.down_O": ("down",),
-    "q_start": ("robot", "home"),
-    "rests_on": ("rests_on",),
-}
-
-
-def _blamed(message: str) -> tuple[Location, str]:
-    """Splits a message of carry.validate() into the field of the task file and the rest."""
-    named = re.match(r"(places\.\w+|\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
-    if named is None or named[1] not in _PLACES:
-        return ("frame",), message
-    return _PLACES[named[1]], named[3]
+def _places(task: model.CarryTask) -> dict[str, Location]:
+    """Returns the field of the task file for each part of a problem of the core."""
+    way = task.first_of("line", "offset", "goal", "place")
+    return {
+        "X_WO_goal": (way,),
+        "X_WO_hanging": ("hanging",),
+        "object": ("object",),
+        "object.X_WB": ("pose",),
+        "obstacles": ("obstacles",),
+        f"obstacles[{len(task.obstacles or [])}]": ("support",),
+        "places.X_WO": ("place", "poses"),
+        "places.on": ("place", "on"),
+        "places.q_open": ("open",),
+        "places.way_out": ("way_out",),
+        "places.down_O": ("down",),
+        "q_start": ("robot", "home"),
+        **{f"rests_on[{i}]": ("rests_on",) for i in range(len(task.rests_on) + 1)},  # in any order
+        "": ("frame",),
+    }

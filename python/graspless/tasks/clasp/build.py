@@ -11,6 +11,7 @@ import numpy as np
 
 from ... import geometry
 from ..._core import clasp
+from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..rays import build_rays
 from ..robots import build_home, build_robot, require_other_names, require_srdf
@@ -53,7 +54,7 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
     try:
         clasp.validate(problem)
     except ValueError as error:
-        raise source.error(*_blamed(str(error))) from None
+        raise blamed(source, str(error), _PLACES) from None
     return problem
 
 
@@ -107,13 +108,5 @@ _PLACES: dict[str, Location] = {
     "obstacles": ("obstacles",),
     "pull_W": ("clasp", "pull"),
     "q_start": ("robot", "home"),
+    "": ("clasp",),
 }
-
-
-def _blamed(message: str) -> tuple[Location, str]:
-    """Splits a message of clasp.validate() into the field of the task file and the rest."""
-    named = re.match(r"(\w+)(?:\[(\d+)\])?(?:\.\w+)*:? (.*)", message, re.DOTALL)
-    if named is None or named[1] not in _PLACES:
-        return ("clasp",), message
-    place = _PLACES[named[1]]
-    return (place if named[2] is None else (*place, int(named[2]))), named[3]

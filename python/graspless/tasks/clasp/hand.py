@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from ..._core import clasp
+from ..blame import blamed
 from ..reading import read_yaml
 from ..robots import stem
 from ..shapes import Fields, Point3
@@ -123,8 +123,7 @@ def build_hand(
         hand = clasp.with_palm_corners(hand, robot)
         clasp.validate(hand, robot)
     except ValueError as error:
-        where, what = _blamed(str(error), fields)
-        raise source.error((*place, *where), what) from None
+        raise blamed(source, str(error), _places(fields, place)) from None
     return hand
 
 
@@ -172,22 +171,12 @@ def _plain(vector: np.ndarray) -> list[float]:
     return [float(value) for value in vector]
 
 
-def _blamed(message: str, fields: Hand) -> tuple[Location, str]:
-    """Splits a message of clasp.validate() into the field and the rest."""
-    text = message.removeprefix("hand.")
-    owners: dict[str, Location] = {f"fingers.{name}": ("fingers", name) for name in fields.fingers}
-    owners["thumb"] = ("thumb",)
-    for owner, place in owners.items():
-        rest = text.removeprefix(owner)
-        node = re.match(r"\.nodes\[(\d+)\]\.(\w+):? (.*)", rest, re.DOTALL)
-        if rest != text and node is not None:
-            return (*place, int(node[1]), node[2]), node[3]
-        if rest != text and rest[:1] in (":", " "):
-            return place, rest.lstrip(": ")
-    other = re.match(r"pre_shapes\[(\d+)\]:? (.*)", text, re.DOTALL)
-    if other is not None:
-        return ("open", int(other[1]) + 1), other[2]
-    named = re.match(r"(\w+):? (.*)", text, re.DOTALL)
-    if named is not None and named[1] in Hand.model_fields:
-        return (named[1],), named[2]
-    return (), message
+def _places(fields: Hand, place: Location) -> dict[str, Location]:
+    """Returns the field at `place` of a file for each part of a hand of the core."""
+    shapes = fields.open if isinstance(fields.open, list) else []
+    curves = {f"fingers.{name}": ("fingers", name) for name in fields.fingers}
+    parts: dict[str, Location] = {name: (name,) for name in Hand.model_fields}
+    parts |= {f"pre_shapes[{i}]": ("open", i + 1) for i in range(len(shapes) - 1)}
+    parts |= curves | {f"{name}.nodes": field for name, field in curves.items()}
+    parts |= {"thumb.nodes": ("thumb",)}
+    return {"": place} | {f"hand.{name}": (*place, *field) for name, field in parts.items()}

@@ -12,6 +12,7 @@ import numpy as np
 from ... import geometry
 from ..._core import fingertip, mechanics
 from ...errors import TaskError
+from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..source import at
 from .motions import build_motion
@@ -41,7 +42,7 @@ def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
     try:
         fingertip.validate(problem)
     except ValueError as error:
-        raise source.error(*_blamed(str(error), task)) from None
+        raise blamed(source, _with_pose(str(error)), _places(task)) from None
     return problem
 
 
@@ -56,7 +57,7 @@ def build_object(thing: model.Object, source: Source) -> fingertip.Object:
         with at(source, "object", field):
             built = fingertip.Object.from_mesh(thing.name, _mesh(thing), mass)
     size = np.ptp(np.asarray(built.hull), axis=0)
-    field = next(name for name in ("box", "mesh", "vertices") if getattr(thing, name) is not None)
+    field = thing.first_of("box", "mesh", "vertices")
     if size.max() > LARGEST:
         what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
         hint = "; of a mesh in millimetres write 'unit: mm'" if field == "mesh" else ""
@@ -157,33 +158,30 @@ def _volume(thing: fingertip.Object) -> float:
     return float(np.linalg.det(corners).sum() / 6)
 
 
-# What the core calls a part of a motion, and what it is called in a task file.
-_ENDS = {"X_WO_start": "start", "X_WO_goal": "goal"}
+def _places(task: model.FingertipTask) -> dict[str, Location]:
+    """Returns the field of the task file for each part of a problem of the core."""
+    motion = task.motion.first_of()
+    end = "pose" if motion == "goal" else "goal"
+    fields = ("fingers", "friction", "object", "obstacles")
+    return {
+        **{name: (name,) for name in fields},
+        "friction and planes[i].friction": ("friction",),
+        "gravity_W": ("gravity",),
+        "weight of the object, object.mass times gravity_W": ("object", "mass"),
+        "planes": ("floor",),
+        **{f"planes[{i}]": ("walls", i - 1) for i in range(1, len(task.walls) + 1)},
+        "motion.X_WO": ("motion", motion),
+        "X_WO_start": ("motion", motion, "start"),
+        "motion.X_WO_start": ("motion", motion, "start"),
+        "motion.X_WO_goal": ("motion", motion, end),
+        "motion": ("motion", motion),
+        "": ("motion", motion),
+    }
 
 
-def _blamed(message: str, task: model.FingertipTask) -> tuple[Location, str]:
-    """Splits a message of fingertip.validate() into the field of the task file and the rest."""
-    motion = next(iter(task.motion.model_fields_set))
-    named = re.match(r"(?:motion\.)?(X_WO_start|X_WO_goal): (.*)", message, re.DOTALL)
-    if named is not None:
-        end = "pose" if motion == "goal" and named[1] == "X_WO_goal" else _ENDS[named[1]]
-        return ("motion", motion, end), named[2]
-    named = re.match(r"motion\.X_WO\[(\d+)\]( to the next)?: (.*)", message, re.DOTALL)
-    if named is not None:
-        where = ("motion", "path", int(named[1])) if motion == "path" else ("motion", motion)
-        return where, f"at pose {named[1]}{named[2] or ''}: {named[3]}"
-    named = re.match(r"motion\.(\w+): (.*)", message, re.DOTALL)
-    if named is not None and named[1] in type(getattr(task.motion, motion)).model_fields:
-        return ("motion", motion, named[1]), named[2]
-    plane = re.match(r"planes\[(\d+)\]", message)
-    if plane is not None:
-        index = int(plane[1])
-        return (("walls", index - 1) if index else ("floor",)), message
-    named = re.match(r"([a-z]+)(?:\.([a-z_]+))?", message)
-    if named is not None and named[1] in type(task).model_fields and named[1] != "motion":
-        fields = getattr(type(getattr(task, named[1])), "model_fields", {})
-        return ((named[1], named[2]) if named[2] in fields else (named[1],)), message
-    return ("motion", motion), message.removeprefix("motion: ")
+def _with_pose(message: str) -> str:
+    """Returns a message that says the number of the pose in words too: a motion has no poses."""
+    return re.sub(r"^(motion\.X_WO\[(\d+)\])( to the next)?:", r"\1: at pose \2\3:", message)
 
 
 __all__ = ["TaskError", "build", "build_options"]

@@ -33,7 +33,7 @@ def build_motion(
     motion: model.Motion, thing: fingertip.Object, floor: fingertip.Plane, source: Source
 ) -> Motion:
     """Returns the planner's motion. Error messages name the place in `source`."""
-    place = ("motion", next(iter(motion.model_fields_set)))
+    place = ("motion", motion.first_of())
     with at(source, *place):
         if motion.path is not None:
             return fingertip.Path(np.array([pose_matrix(pose) for pose in motion.path]))
@@ -98,7 +98,7 @@ class _Walk:
         self.X_WO: Matrix | None = None
 
     def step(self, step: Any, place: Location) -> fingertip.Path:
-        name = next(name for name in ("slide", "turn", "tumble") if getattr(step, name))
+        name = step.first_of("slide", "turn", "tumble")
         fields = getattr(step, name)
         if self.X_WO is None:
             self.X_WO = _start(fields.pose, self.thing, self.floor)

@@ -12,6 +12,7 @@ import numpy as np
 
 from ... import frames, geometry
 from ..._core import slide
+from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..robots import build_home, build_robot, require_other_names, require_srdf
 from ..shapes import regular_polygon
@@ -21,10 +22,18 @@ from .resolve import support_pose
 
 if TYPE_CHECKING:
     from ..._core import robot as robots
-    from ..source import Source
+    from ..source import Location, Source
 
 
-_LOCATIONS = {"q_home": ("robot", "home"), "X_WO_end": ("end",)}
+FARTHEST = 1e4  # of a support from the origin [m], as of all that the core takes
+_PLACES: dict[str, Location] = {
+    "q_home": ("robot", "home"),
+    "X_WO_end": ("end",),
+    "obstacles": ("obstacles",),
+    "support": ("support",),
+    "X_WO_start": ("object", "pose"),
+    "": ("object", "pose"),
+}
 
 ProblemT = TypeVar("ProblemT", bound=slide.Problem)
 
@@ -68,18 +77,11 @@ def build(
     except ValueError as error:
         if str(error).startswith("hand."):
             place = ("hand",) if "hand" in hand_source.given() else ()
-            field, _, what = str(error).removeprefix("hand.").partition(" ")
-            given = f"'{getattr(hand, field, '')}'"  # which the message names before the text
-            what = what.removeprefix(given).removeprefix(":").lstrip()
-            raise hand_source.error((*place, field), what) from None
-        for name, location in _LOCATIONS.items():
-            if str(error).startswith(name):
-                raise source.error(location, str(error).removeprefix(f"{name}: ")) from None
-        named = re.match(r"obstacles\[(\d+)\]\.name (.*)", str(error))
-        if named is not None:
-            raise source.error(("obstacles", int(named[1])), named[2]) from None
-        what = str(error).removeprefix("X_WO_start ")
-        raise source.error(("object", "pose"), f"{shorten(pose.model_dump())}: {what}") from None
+            places = {f"hand.{name}": (*place, name) for name in model.Hand.model_fields}
+            raise blamed(hand_source, str(error), {"": place, **places}) from None
+        shown = f"X_WO_start {shorten(pose.model_dump())}: "
+        message = re.sub(r"^(X_WO_start |(?=object '))", shown, str(error))
+        raise blamed(source, message, _PLACES) from None
     return problem
 
 
@@ -172,6 +174,9 @@ def build_heights(heights: model.Heights) -> geometry.HeightMap:
 
 
 def build_support(support: model.Support, X_WS: frames.Matrix, source: Source) -> slide.Support:
+    if np.abs(X_WS[:3, 3]).max() > FARTHEST:
+        field = support.first_of("pose", "height")
+        raise source.error(("support", field), f"must be within {FARTHEST:g} m of the origin")
     given = support.model_dump(include={"slab", "band_width", "friction"}, exclude_none=True)
     with at(source, "support", _outline_field(support, source, "support")):
         corners = outline(support)
