@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arms and hands that no slide is possible with are refused, with the lengths in the way."""
 
+import json
+import re
+import shutil
+
 import pytest
 import trimesh
 from trimesh.creation import box
@@ -10,6 +14,7 @@ import graspless
 import inspect_common as small
 from graspless import robot
 from graspless.errors import TaskError
+from graspless.tasks import read_task
 
 TASK = {
     "kind": "slide",
@@ -75,3 +80,24 @@ def test_pads_of_a_mesh_are_at_its_end(tmp_path):
     assert pinched, pinched.reason
     assert pinched.opening == pytest.approx(0.06, abs=1e-6)
     assert graspless.check(pinched) == []
+
+
+@pytest.mark.parametrize(
+    ("beside", "where"),
+    [
+        ("arm: leg", r"wam_t42.hand.yaml:\d+: arm: leg: "),
+        ("fingertip: [grasp]", r"wam_t42.hand.yaml:\d+: fingertip: "),
+        ("fingertip: flange", r"wam_t42.hand.yaml:\d+: fingertip: flange: its Z"),
+        ("arm: arm", r"task.yaml:2: hand.open: wide: "),
+    ],
+)
+def test_a_fault_is_in_the_file_that_has_it(tmp_path, beside, where):
+    for ending in (".urdf", ".srdf", ".hand.yaml"):
+        shutil.copy(robot.builtin("wam_t42").with_name(f"wam_t42{ending}"), tmp_path)
+    file, field = tmp_path / "wam_t42.hand.yaml", beside.partition(":")[0]
+    file.write_text(re.sub(rf"(?m)^{field}:.*", beside, file.read_text()))
+    given = {"open": "wide"} if beside == "arm: arm" else {"pad_friction": 1.0}
+    task = {"robot": {"urdf": "wam_t42.urdf"}, "hand": given} | TASK
+    text = "".join(f"{name}: {json.dumps(value)}\n" for name, value in task.items())
+    with pytest.raises(TaskError, match=where):
+        read_task(text, "task.yaml", tmp_path)

@@ -21,6 +21,8 @@ from . import model
 from .resolve import support_pose
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from ..._core import robot as robots
     from ..source import Location, Source
 
@@ -57,7 +59,7 @@ def build(
     require_other_names(robot, ("object", "support"), source)
     if not isinstance(task.hand, model.Hand):
         raise source.error(("hand",), "missing")
-    hand = build_hand(task.hand, robot, hand_source)
+    hand = build_hand(task.hand, robot, hand_source, source)
     X_WS = support_pose(task.support)
     pose = task.object.pose
     assert pose is not None
@@ -76,49 +78,59 @@ def build(
         slide.validate(problem)
     except ValueError as error:
         if str(error).startswith("hand."):
-            place = ("hand",) if "hand" in hand_source.given() else ()
-            places = {f"hand.{name}": (*place, name) for name in model.Hand.model_fields}
-            raise blamed(hand_source, str(error), {"": place, **places}) from None
+            field = re.split(r"\W", str(error))[1]
+            owner, place = _owner(field, hand_source, source)
+            raise blamed(owner, str(error), {f"hand.{field}": place, "": place}) from None
         shown = f"X_WO_start {shorten(pose.model_dump())}: "
         message = re.sub(r"^(X_WO_start |(?=object '))", shown, str(error))
         raise blamed(source, message, _PLACES) from None
     return problem
 
 
-def build_hand(fields: model.Hand, robot: robots.Robot, source: Source) -> slide.Hand:
-    """Returns the hand of its fields, which name parts of the robot."""
+def _owner(field: str, source: Source, task: Source | None) -> tuple[Source, Location]:
+    """Returns where a field of the hand stands: in the task, or else in its own `source`."""
+    if task is not None and (source is task or field in task.given("hand")):
+        return task, ("hand", field)
+    return source, (field,)
+
+
+def build_hand(
+    fields: model.Hand, robot: robots.Robot, source: Source, task: Source | None = None
+) -> slide.Hand:
+    """Returns the hand of its fields, which name parts of the robot; some may be in the task."""
     given = fields.model_dump(exclude_none=True)
-    place = ("hand",) if "hand" in source.given() else ()
     if "finger_model" not in given:
         choices = ", ".join(slide.FingerModel.__members__)
         what = f"must be given: how the sliding finger yields (one of: {choices})"
-        raise source.error((*place, "finger_model"), what)
+        owner, place = _owner("finger_model", source, task)
+        raise owner.error(place, what)
     if given["finger_model"] == "flexure":
         for field in ("flexure_length", "flexure_stiffness"):
             if field not in given:
-                raise source.error((*place, field), "must be given with finger_model flexure")
+                owner, place = _owner(field, source, task)
+                raise owner.error(place, "must be given with finger_model flexure")
     given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
     hand = slide.Hand(**given)
-    _check_hand(hand, robot, source, place)
+    _check_hand(hand, robot, source, task)
     return hand
 
 
-def _check_hand(
-    hand: slide.Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
-) -> None:
+def _check_hand(hand: slide.Hand, robot: robots.Robot, source: Source, task: Source | None) -> None:
     """Raises TaskError unless the robot has all that the hand names."""
-    for field in ("fingertip", "grasp_frame"):
-        with at(source, *place, field):
-            robot.frame(getattr(hand, field))
-    for field in ("sliding_finger", "fingers"):
-        for link in getattr(hand, field):
-            with at(source, *place, field):
-                robot.frame(link)
-    for field in ("open", "closed"):
-        with at(source, *place, field):
-            robot.state(getattr(hand, field))
-    with at(source, *place, "arm"):
-        robot.group(hand.arm)
+    looked_up: dict[str, Callable[[str], Any]] = {
+        "fingertip": robot.frame,
+        "grasp_frame": robot.frame,
+        "sliding_finger": robot.frame,
+        "fingers": robot.frame,
+        "open": robot.state,
+        "closed": robot.state,
+        "arm": robot.group,
+    }
+    for field, look_up in looked_up.items():
+        names, (owner, place) = getattr(hand, field), _owner(field, source, task)
+        for name in [names] if isinstance(names, str) else names:
+            with at(owner, *place):
+                look_up(name)
 
 
 def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Object:

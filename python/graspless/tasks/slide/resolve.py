@@ -106,7 +106,7 @@ def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
 def _resolve_hand(
     hand: model.Hand | str | None, urdf: Path | None, source: Source, directory: Path
 ) -> tuple[model.Hand | None, Source]:
-    """The fields of the hand: of its file, with those in the task in place of the file's."""
+    """The fields of the hand and their source: of its file, but with those in the task."""
     path = urdf and urdf.with_name(f"{stem(urdf)}.hand.yaml")
     if isinstance(hand, str):
         path = directory / hand
@@ -119,7 +119,7 @@ def _resolve_hand(
     if not isinstance(hand, model.Hand):
         return of_file, read
     given = {name: getattr(hand, name) for name in hand.model_fields_set}
-    return of_file.model_copy(update=given), source
+    return of_file.model_copy(update=given), read
 
 
 def _with_pitch(options: Any, hand: model.Hand) -> Any:
