@@ -5,6 +5,7 @@
 import json
 import re
 from pathlib import Path
+from typing import Literal, get_args, get_origin
 
 import numpy as np
 import pytest
@@ -16,8 +17,12 @@ from graspless import _data, frames
 from graspless.chain.state import begins, ends
 from graspless.ros import work
 from graspless.ros.jobs import TaskJob
+
+
+from graspless.kinds import part
 from graspless.simulation import simulation_kind
-from graspless.tasks.chain import lying
+from graspless.tasks.chain import lying, stages
+from graspless.tasks.source import _models_in as models_in
 from tasks_common import fault, reread, run, without_clock, write_robot_with_mesh
 
 EXAMPLES = _data.directory("examples")
@@ -331,6 +336,49 @@ stages:
     assert "task.yaml:3: stages[0].file: sub/none.yaml: no such file" in missing
     write(changed("thickness: 0.003", "thickness: -1", slide), "sub/slide.yaml")
     assert "sub/slide.yaml:10: object.thickness: -1: should be" in fault(write(text))
+
+
+NO_FILES = {
+    *(
+        "arm",
+        "closed",
+        "ends",
+        "files",
+        "fingers",
+        "fingertip",
+        "fingertips",
+        "frame",
+        "grasp_frame",
+    ),
+    *("home", "link", "links", "mount", "name", "on", "open", "prefix", "proposed", "rests_on"),
+    *("root", "sample", "sliding_finger", "srdf_text", "urdf_text", "xacro_args"),
+}
+
+
+def text_fields(model):
+    """The names of the fields of a model, and of those in it, that may hold text."""
+    for name, field in model.model_fields.items():
+        if may_be_text(field.annotation):
+            yield name
+        for inner in models_in(field.annotation):
+            yield from text_fields(inner)
+
+
+def may_be_text(kind):
+    return kind is str or (
+        get_origin(kind) is not Literal and any(may_be_text(part) for part in get_args(kind))
+    )
+
+
+def test_files_of_a_stage_s_file_are_beside_it():
+    kinds = [part("tasks", kind).Fields for kind in stages.STAGES]
+    assert {name for kind in kinds for name in text_fields(kind)} == {*stages.FILES, *NO_FILES}
+
+
+def test_the_scene_of_a_stage_s_file_is_beside_it(tmp_path):
+    (tmp_path / "scene.yaml").touch()
+    document = stages.absolute({"object": {"scene": "scene.yaml"}}, tmp_path)
+    assert document == {"object": {"scene": str(tmp_path / "scene.yaml")}}
 
 
 def test_check_finds_a_gap_of_the_object(document, tmp_path):

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from ..source import Location
 
 STAGES = tuple(kind for kind in KINDS if kind != "chain")
-FILES = ("urdf", "srdf", "directory", "packages", "hand", "cloud", "file")
+FILES = ("urdf", "srdf", "directory", "packages", "hand", "cloud", "scene", "file")
 
 
 def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage]:
