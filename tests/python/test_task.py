@@ -310,6 +310,8 @@ def test_clockwise_polygon_is_accepted(write):
 
 
 def test_numbers_as_people_write_them(write):
+    task = graspless.load_task(write(changed(POSE, "{x: +.5, y: -.2, yaw: -.3e-1}")))
+    assert task.fields.object.pose.model_dump() == {"x": 0.5, "y": -0.2, "yaw": -0.03}
     task = graspless.load_task(write(changed("0.004", "4e-3")))
     assert task.problem.object.thickness == 0.004
 

@@ -74,7 +74,7 @@ def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
         key: [rule for rule in rules if rule[0] != "tag:yaml.org,2002:timestamp"]
         for key, rules in yaml.SafeLoader.yaml_implicit_resolvers.items()
     }
-    for first in "-+.0123456789":  # YAML 1.1 takes 1e-3 for text; nobody who writes it does
+    for first in "-+.0123456789":  # YAML 1.1 takes 1e-3 and -.2 for text; who writes them does not
         rules = loader.yaml_implicit_resolvers.setdefault(first, [])
         rules.insert(0, ("tag:yaml.org,2002:float", _FLOAT))
     try:
@@ -85,7 +85,7 @@ def _load(text: str, file: str, lines: dict[Location, int]) -> Any:
         loader.dispose()
 
 
-_FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)[eE][-+]?[0-9]+$")
+_FLOAT = re.compile(r"^[-+]?(?:[0-9]+\.?[0-9]*(?=[eE])|\.[0-9]+)(?:[eE][-+]?[0-9]+)?$")
 
 
 def _note_lines(
