@@ -22,6 +22,7 @@ from graspless.ros.jobs import TaskJob
 from graspless.kinds import part
 from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying, stages
+from graspless.tasks.shapes import regular_polygon
 from graspless.tasks.source import _models_in as models_in
 from tasks_common import fault, reread, run, without_clock, write_robot_with_mesh
 
@@ -787,6 +788,22 @@ def test_outline_is_laid_where_its_corners_are():
         corners_S = ring @ X_SO[:3, :3].T + X_SO[:3, 3]
         pose = lying.lying(rng.permutation(corners_S), rng.permutation(outline), 0.02)
         assert (pose.x, pose.y, pose.yaw) == pytest.approx((x, y, yaw), abs=1e-7)
+
+
+@pytest.mark.parametrize(("radius", "count"), [(0.05, 100), (0.05, 320), (0.02, 1000)])
+def test_a_finely_drawn_circle_is_laid_where_it_is(radius, count):
+    ring = regular_polygon(radius, count)
+    hull = lying.convex_hull(ring)
+    assert np.ptp(hull, axis=0) == pytest.approx([2 * radius] * 2, abs=2e-4)
+    moved = np.repeat(ring + [0.3, 0.1], 2, axis=0)
+    pose = lying.lying(np.column_stack([moved, np.tile([0, 0.02], count)]), ring, 0.02)
+    assert (pose.x, pose.y) == pytest.approx((0.3, 0.1), abs=1e-4)
+
+
+def test_points_on_an_edge_are_no_corners():
+    corners = np.array([[0, 0], [0.1, 0], [0.1, 0.05], [0, 0.05]])
+    between = (corners + np.roll(corners, 1, axis=0)) / 2 + [-1e-6, 1e-6]
+    assert len(lying.convex_hull(np.concatenate([corners, between]))) == 4
 
 
 def test_outline_turns_least():

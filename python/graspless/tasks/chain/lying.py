@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from ...frames import Matrix
 
 SAME = 1e-4  # [m]; corners of one object, described twice
+FLAT = SAME / 10  # of a corner, from the line between the corners beside it
 
 
 def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
@@ -63,15 +64,20 @@ def _fitted(own: Matrix, seen: Matrix) -> tuple[float, PlanarPose]:
 
 
 def convex_hull(points: Matrix) -> Matrix:
-    """[K, 2] corners of the convex hull, counter-clockwise, none within `SAME` of its edges."""
+    """[K, 2] corners of the convex hull, counter-clockwise, without those that are hardly any."""
     _, first = np.unique(np.round(points, 9), axis=0, return_index=True)
     ordered = points[first]
     ring = np.array(_half(ordered)[:-1] + _half(ordered[::-1])[:-1])
     before, after = np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0)
     along = after - before
-    reach = cross(along, ring - before) / np.linalg.norm(along, axis=1)
-    corners: Matrix = ring[np.abs(reach) > SAME / 10]
-    return corners
+    reach = cross(ring - before, along) / np.linalg.norm(along, axis=1)
+    ring = np.roll(ring, -int(np.argmax(reach)), axis=0)  # the sharpest first: it stays
+    corners = [ring[0]]
+    for p, after in zip(ring[1:], [*ring[2:], ring[0]], strict=True):
+        along = after - corners[-1]
+        if cross(p - corners[-1], along) > FLAT * np.linalg.norm(along):
+            corners.append(p)
+    return np.array(corners)
 
 
 def _half(ordered: Matrix) -> list[Any]:
