@@ -583,6 +583,10 @@ def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeyp
     task.write_text(head + robots)
     assert main(["pick", "pick.yaml", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["robot"] == "kr5_t42"
+    task.write_text(f"{head}{robots}budget: {{seconds: 5, iterations: 3}}\n")
+    assert main(["pick", "pick.yaml"]) == 2
+    told = "pick.yaml:5: budget.iterations: 3: not for a pick (one of: seconds, seed)"
+    assert told in capsys.readouterr().err
     task.write_text(head)
     assert main(["pick", "pick.yaml"]) == 2
     assert "exactly one of robot, robots must be given, not none" in capsys.readouterr().err

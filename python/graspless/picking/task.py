@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from ..errors import one_of
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
 from ..tasks.reading import read_yaml
@@ -17,6 +18,8 @@ from ..tasks.shapes import Fields, Positive
 from ..tasks.source import Source
 from .place_fields import Place
 from .strategies import STRATEGIES
+
+BUDGET = ("seconds", "seed")  # of several searches of several kinds
 
 
 class PickTask(Fields):
@@ -73,7 +76,9 @@ def read_pick(path: str) -> dict[str, Any] | None:
         given["place"] = fields.place.model_dump(exclude_none=True)
     given["robot"] = absolute(fields.robots or fields.robot, directory)
     budget = fields.budget.model_dump(exclude_none=True)
-    return given | {name: budget[name] for name in ("seconds", "seed") if name in budget}
+    for name in budget.keys() - BUDGET:
+        raise source.error(("budget", name), f"not for a pick{one_of(name, BUDGET)}")
+    return given | budget
 
 
 __all__ = ["PickTask", "read_pick"]
