@@ -31,7 +31,7 @@ WORLD = "world"  # frame_id of poses
 def write(trajectory: Trajectory, path: Path | str) -> None:
     """Writes one file if the path ends in .mcap, else a new folder with its metadata."""
     path = Path(path)
-    if path.suffix != ".mcap":
+    if path.suffix.lower() != ".mcap":
         with files.new_folder(path) as bag:
             _write_bag(trajectory, bag)
         return
