@@ -24,6 +24,7 @@ from graspless import (
     robot,
     slide,
 )
+from graspless.tasks import Task
 from graspless.tasks.kind import is_problem
 from graspless.tasks.statement import difference
 from tasks_common import pixels, read_png, without_clock
@@ -219,6 +220,13 @@ def test_what_no_task_file_can_state_is_told(tmp_path):
     assert list(tmp_path.iterdir()) == []
     with pytest.raises(TaskError, match="cannot be saved or pickled"):
         pickle.dumps(plan.task)
+
+
+def test_a_problem_without_a_floor_is_told():
+    given = fingertip_problem()
+    problem = fingertip.Problem(object=given.object, motion=given.motion, planes=[])
+    with pytest.raises(TaskError, match=r"problem.planes: must hold the floor"):
+        Task.of(problem).to_dict()
 
 
 def test_a_plan_of_a_problem_is_timed_simulated_exported_and_drawn(card_problem, tmp_path):

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ...errors import TaskError
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
 from ..robots import require_text
@@ -69,6 +70,8 @@ def in_force(
 def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
     """Returns the task file of a problem, without options and budget."""
     thing = problem.object
+    if not problem.planes:
+        raise TaskError("problem.planes: must hold the floor at least, but is empty")
     floor, *walls = problem.planes
     stated = {
         "object": {
