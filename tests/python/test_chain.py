@@ -15,11 +15,9 @@ import yaml
 import graspless
 from graspless import _data, frames
 from graspless.chain.state import begins, ends
+from graspless.kinds import part
 from graspless.ros import work
 from graspless.ros.jobs import TaskJob
-
-
-from graspless.kinds import part
 from graspless.simulation import simulation_kind
 from graspless.tasks.chain import lying, stages
 from graspless.tasks.shapes import regular_polygon
