@@ -70,6 +70,18 @@ obstacles:
         ("[0, 0, 0.1]", "[0, 0, 1.0e-8]", 7, r"offset: must differ from the object's pose"),
         ("offset: [0, 0, 0.1]", "goal: {}", 7, r"goal: must differ from the object's pose"),
         ("obstacles:", "rests_on: [block, b]\nobstacles:", 8, "rests_on: there is no obstacle 'b'"),
+        (
+            "offset: [0, 0, 0.1]",
+            "line: {direction: [0, 0, 1.0e-200], distance: 1}",
+            7,
+            r"line.direction: \[0.0, 0.0, 1e-200\]: must not be zero",
+        ),
+        (
+            "offset: [0, 0, 0.1]",
+            "open: [0]\nplace: {normal: [0, 0, 1.0e-200], poses: [{}]}",
+            8,
+            r"place.normal: \[0.0, 0.0, 1e-200\]: must not be zero",
+        ),
         ("frame: grasp", "frame: base_link", 4, r"frame: base_link: "),
     ],
 )

@@ -246,7 +246,7 @@ def test_where_a_stage_cannot_start(write):
             10,
             r"stages\[0\].name: to the edge: another stage has",
         ),
-        ("[0, 0, 2]", "[0, 0, 0]", 11, r"stages\[1\].line: direction must not be zero"),
+        ("[0, 0, 2]", "[0, 0, 0]", 11, r"line.direction: \[0.0, 0.0, 0.0\]: must not be zero"),
         ("kind: slide}", "kind: slide, budget: {}}", 10, r"stages\[0\].budget: must not be given"),
         ("kind: slide}", "kind: slide, robott: {}}", 10, r"stages\[0\].robott: unknown field"),
         (

@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 from .. import frames
 
@@ -33,6 +33,15 @@ Size3 = Annotated[list[Positive], Field(min_length=3, max_length=3)]
 
 def _along_each_axis(value: Any) -> Any:
     return [value] * 3 if isinstance(value, (int, float)) else value
+
+
+def _not_zero(direction: list[float]) -> list[float]:
+    if math.hypot(*direction) < 1e-9:
+        raise ValueError(f"{direction}: must not be zero")
+    return direction
+
+
+Direction = Annotated[Point3, AfterValidator(_not_zero)]
 
 
 Scale3 = Annotated[Size3, BeforeValidator(_along_each_axis)]

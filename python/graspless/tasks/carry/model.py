@@ -18,7 +18,7 @@ from ..clasp.model import Object as ClaspObject
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, Point3, Pose, Shape, Size3
+from ..shapes import Direction, Fields, Point3, Pose, Shape, Size3
 from ..slide.model import Object as SlideObject
 from ..slide.model import Support
 
@@ -52,16 +52,10 @@ class Object(Fields):
 class Line(Fields):
     """A straight way."""
 
-    direction: Point3 = Field(description="direction in the world, of any length but 0")
+    direction: Direction = Field(description="direction in the world, of any length but 0")
     distance: Annotated[float, Field(gt=0, le=LONGEST)] = Field(
         description=f"length of the path, at most {LONGEST:g} [m]"
     )
-
-    @model_validator(mode="after")
-    def _check(self) -> Line:
-        if not any(self.direction):
-            raise ValueError("direction must not be zero")
-        return self
 
 
 class Places(Fields):
@@ -71,18 +65,12 @@ class Places(Fields):
         default="support",
         description="obstacle on which the object then stands; support: that of the stage before",
     )
-    normal: Point3 = Field(
+    normal: Direction = Field(
         default=[0.0, 0.0, 1.0], description="normal of its surface, of any length but 0"
     )
     poses: Annotated[list[Pose], Field(min_length=1)] = Field(
         description="poses of O in the world, the best first"
     )
-
-    @model_validator(mode="after")
-    def _check(self) -> Places:
-        if not any(self.normal):
-            raise ValueError("normal must not be zero")
-        return self
 
 
 @described_by(carry.Options)
@@ -124,7 +112,7 @@ class CarryTask(Fields):
         description="with a place: all joints, on a way along which the hand leaves the object, "
         "from open around it; relative to the object, it leaves the same way. Default: straight",
     )
-    down: Point3 | None = Field(
+    down: Direction | None = Field(
         default=None,
         description="with a place: direction in O in which the object comes down; by default "
         "against the normal",

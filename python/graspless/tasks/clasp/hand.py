@@ -7,13 +7,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
 from ..._core import clasp
 from ..blame import blamed
 from ..reading import read_yaml
 from ..robots import stem
-from ..shapes import Fields, Point3
+from ..shapes import Direction, Fields, Point3
 from ..source import Source
 
 if TYPE_CHECKING:
@@ -22,15 +22,6 @@ if TYPE_CHECKING:
     from ..._core import robot as robots
     from ...clasp import Plan
     from ..source import Location
-
-
-def _not_zero(direction: list[float]) -> list[float]:
-    if np.linalg.norm(direction) < 1e-9:
-        raise ValueError(f"{direction}: must not be zero")
-    return direction
-
-
-Direction = Annotated[Point3, AfterValidator(_not_zero)]
 
 
 class Node(Fields):
