@@ -13,7 +13,9 @@ import trimesh
 import yaml
 
 import graspless
-from graspless import _data, frames
+import inspect_common as small
+from graspless import _data, frames, robot
+from graspless.chain import check
 from graspless.chain.state import begins, ends
 from graspless.kinds import part
 from graspless.ros import work
@@ -772,6 +774,13 @@ def test_check_finds_an_object_that_lies_elsewhere(tile, tmp_path):
             pose[1] += 1e-4
     faults = graspless.check(reread(document, tmp_path / "plan.json"))
     assert any("stage 1 'slide': the object starts 0.0001 m" in fault for fault in faults)
+
+
+def test_a_gap_of_the_joints_has_the_unit_of_its_joint():
+    arm = robot.Robot.from_urdf(small.gripper(hand=small.prismatic()))
+    slides = np.asarray(arm.step_weights) > 1
+    assert check._largest(np.where(slides, 0.001, 0), arm) == "0.001 m"
+    assert check._largest(np.where(slides, 0.001, 0.2), arm) == "0.2 rad"
 
 
 def test_outline_is_laid_where_its_corners_are():

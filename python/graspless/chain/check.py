@@ -16,6 +16,7 @@ from .state import begins, corners, ends, join
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .._core.robot import Robot
     from ..frames import Matrix
     from ..plan_files.chain import Join, Segment
     from ..tasks.chain import Stage
@@ -88,8 +89,10 @@ def _continuity(earlier: Sequence[Any], stage: Any) -> list[str]:
     elif q is not None and state.q is not None:
         if before.joint_names != stage.joint_names:
             faults.append("has other joints than the stage before it")
-        elif (off := float(np.abs(q - state.q).max())) > SAME_JOINTS:
-            faults.append(f"a joint starts {off:.3g} rad from where the stage before it ended")
+        elif (apart := np.abs(q - state.q)).max() > SAME_JOINTS:
+            carrier = stage.task.arm or stage.task.problem
+            gap = _largest(apart, carrier.robot)
+            faults.append(f"a joint starts {gap} from where the stage before it ended")
     if before.kind == "fingertip" and stage.kind in ON_SUPPORT:
         off = _uncovered(state.corners, corners(stage, X_WO))  # each has a frame of its own
     else:
@@ -97,6 +100,12 @@ def _continuity(earlier: Sequence[Any], stage: Any) -> list[str]:
     if off > SAME_POSE:
         faults.append(f"the object starts {off:.3g} m or rad from where the stage before it ended")
     return faults
+
+
+def _largest(apart: Matrix, robot: Robot) -> str:
+    """Returns the largest of motions of all joints, with its unit; 1 mm counts as 0.01 rad."""
+    joint = int(np.argmax(apart * robot.step_weights))
+    return f"{apart[joint]:.3g} {'m' if robot.step_weights[joint] > 1 else 'rad'}"
 
 
 def _uncovered(p_W: Any, q_W: Any) -> float:
