@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import AfterValidator
 
 from .. import collision, geometry
-from .shapes import MeshFile, Obstacle, Shape, pose_matrix, regular_polygon
+from .shapes import MeshFile, Obstacle, Shape, given_twice, pose_matrix, regular_polygon
 from .source import Source, at
 from .units import warn_of_pose
 
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
 
 
 def _with_own_names(obstacles: list[Obstacle]) -> list[Obstacle]:
-    names = [obstacle.name for obstacle in obstacles]
-    if twice := {name for name in names if names.count(name) > 1}:
-        raise ValueError(f"name given twice: {', '.join(sorted(twice))}")
+    if twice := given_twice(obstacle.name for obstacle in obstacles):
+        raise ValueError(f"name given twice: {twice}")
     return obstacles
 
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
@@ -13,6 +14,8 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Fie
 from .. import frames
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..frames import Matrix
 
 Positive = Annotated[float, Field(gt=0)]
@@ -65,6 +68,11 @@ class Fields(BaseModel):
         """Returns the first of some fields, by default of all, that is given."""
         fields = names or type(self).model_fields
         return next(name for name in fields if getattr(self, name) is not None)
+
+
+def given_twice(names: Iterable[str]) -> str:
+    """Returns the names that occur more than once, as text."""
+    return ", ".join(sorted(name for name, times in Counter(names).items() if times > 1))
 
 
 class Pose(Fields):

@@ -17,7 +17,16 @@ from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
-from ..shapes import Fields, MeshFile, NotNegative, Point3, Positive, Size3, Triangle
+from ..shapes import (
+    Fields,
+    MeshFile,
+    NotNegative,
+    Point3,
+    Positive,
+    Size3,
+    Triangle,
+    given_twice,
+)
 from .motion import Motion
 
 Direction = Annotated[list[float], Field(min_length=6, max_length=6)]
@@ -201,9 +210,8 @@ class FingertipTask(Fields):
 
     @model_validator(mode="after")
     def _check(self) -> FingertipTask:
-        names = ["floor", *(wall.name for wall in self.walls)]
-        if twice := {name for name in names if names.count(name) > 1}:
-            raise ValueError(f"walls: name given twice: {', '.join(sorted(twice))}")
+        if twice := given_twice(["floor", *(wall.name for wall in self.walls)]):
+            raise ValueError(f"walls: name given twice: {twice}")
         for field in ("carrier", "realize"):
             if getattr(self, field) is not None and self.robot is None:
                 raise ValueError(f"{field} is for a robot, and none is given")
