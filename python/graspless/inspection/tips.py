@@ -50,8 +50,6 @@ class Tip:
         Links that may touch the object.
     radius, width : float
         Of the pad: half of the end's size along Y, and its size along X, within limits [m].
-    has_limits : tuple of bool
-        True if the radius, or the width, is at its limit.
     """
 
     X_WF: Matrix
