@@ -65,7 +65,7 @@ def _write_folder(trajectory: Trajectory, folder: Path) -> None:
     written["package.xml"] = f'<package format="2"><name>{PACKAGE}</name></package>\n'
     for name, content in (written | meshes.files).items():
         (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).write_text(content)
+        (folder / name).write_text(content, encoding="utf-8")
 
 
 def _directives(start: dict[str, float], X_WB: Matrix, X_WO: Matrix, is_surrounded: bool) -> str:
