@@ -163,3 +163,9 @@ def test_a_slide_or_a_pinch_follows_it():
     chain["stages"][1] = {"name": "take", "kind": "clasp", "object": thing}
     with pytest.raises(TaskError, match="'aside' leaves the object on its support"):
         graspless.plan(chain)
+
+
+def test_a_search_that_cannot_do_it_is_told_with_its_flag(tmp_path, capsys):
+    (tmp_path / "task.yaml").write_text(json.dumps(TASK))
+    assert main(["plan", str(tmp_path / "task.yaml"), "--search", "paper"]) == 2
+    assert capsys.readouterr().err.startswith("--search: options.search: must be fast for a slide")

@@ -132,7 +132,8 @@ def _told(plan: Any) -> list[str]:
 
 def _change(task: Any, options: argparse.Namespace) -> Any:
     """Returns the task with the values of the command line; errors name the flags."""
-    flags = {"seed": options.seed, "seconds": options.seconds, "iterations": options.iterations}
+    names = ("search", "seed", "seconds", "iterations")
+    flags: dict[str, Any] = {name: getattr(options, name) for name in names}
     choices = part("tasks", task.kind).SEARCHES
     if options.search not in (None, *choices):
         shown = ", ".join(choices) or "none, there is a single one"
@@ -141,7 +142,7 @@ def _change(task: Any, options: argparse.Namespace) -> Any:
             f"(choices: {shown})"
         )
     try:
-        return task.with_changes(search=options.search, **flags)
+        return task.with_changes(**flags)
     except TaskError as error:
         given = [f"--{name}" for name in flags if flags[name] is not None]
         raise TaskError(f"{', '.join(given)}: {str(error).partition(': ')[2]}") from None
