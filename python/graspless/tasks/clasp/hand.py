@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, Tag
 
 from ..._core import clasp
 from ..blame import blamed
+from ..effective_values import plain
 from ..reading import read_yaml
 from ..robots import stem
 from ..shapes import Direction, Fields, Point3
@@ -133,8 +134,8 @@ def hand_in_force(hand: clasp.Hand) -> Hand:
         arm=hand.arm,
         hand=hand.hand,
         frame=hand.frame,
-        forward=_plain(hand.forward_H),
-        sideways=_plain(hand.sideways_H),
+        forward=plain(hand.forward_H),
+        sideways=plain(hand.sideways_H),
         open=[hand.open, *hand.pre_shapes] if hand.pre_shapes else hand.open,
         closed=hand.closed,
         fingers={finger.name: _nodes(finger) for finger in hand.fingers},
@@ -155,11 +156,7 @@ def _finger(name: str, nodes: list[Node]) -> clasp.Finger:
 
 
 def _nodes(finger: clasp.Finger) -> list[Node]:
-    return [Node(link=node.link, point=_plain(node.p_L)) for node in finger.nodes]
-
-
-def _plain(vector: np.ndarray) -> list[float]:
-    return [float(value) for value in vector]
+    return [Node(link=node.link, point=plain(node.p_L)) for node in finger.nodes]
 
 
 def _places(fields: Hand, place: Location) -> dict[str, Location]:

@@ -14,6 +14,7 @@ from ..documents import rows_of
 from ..effective_values import in_force as _in_force
 from ..effective_values import plain
 from ..robots import require_text
+from ..scenes import planar_pose
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
@@ -71,9 +72,9 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
             **_outline(thing),
             **_heights(thing),
             **({"hollow": True} if thing.is_hollow else {}),
-            "pose": _planar(support, problem.X_WO_start),
+            "pose": planar_pose(support.X_WS, problem.X_WO_start),
         },
-        **({} if end is None else {"end": _planar(support, end)}),
+        **({} if end is None else {"end": planar_pose(support.X_WS, end)}),
         "support": {
             "polygon": plain(support.polygon.vertices),
             "pose": pose_fields(support.X_WS),
@@ -83,13 +84,6 @@ def state(problem: slide.Problem, arm: None) -> dict[str, Any]:
         },
         "obstacles": obstacle_fields(problem.obstacles),
     }
-
-
-def _planar(support: slide.Support, X_WO: Any) -> dict[str, float]:
-    """Returns a pose of the object [4, 4] as it lies on the support."""
-    X_SO = np.linalg.inv(support.X_WS) @ X_WO
-    yaw = np.arctan2(X_SO[1, 0], X_SO[0, 0])
-    return {"x": float(X_SO[0, 3]), "y": float(X_SO[1, 3]), "yaw": float(yaw)}
 
 
 def _usable_edges(support: slide.Support) -> dict[str, Any]:
