@@ -12,7 +12,7 @@ import numpy as np
 from .. import frames, geometry
 from ..tasks.statement import pose_fields
 from .block import SPACING, Block
-from .wish import dense, plain
+from .wish import dense
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -130,7 +130,7 @@ def _edge(depth: float) -> str:
 
 
 def _pose(X: Matrix) -> dict[str, list[float]]:
-    return plain(pose_fields(X))
+    return pose_fields(X)
 
 
 def _turn(point: Matrix, axis: Matrix, angle: float) -> Matrix:

@@ -19,7 +19,7 @@ from ..tasks.source import Source
 from ..tasks.statement import pose_fields
 from . import loose
 from .place_fields import Place, place_of
-from .wish import dense, documents, plain
+from .wish import dense, documents
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -247,7 +247,7 @@ def put_down(target: Target, poses: list[Matrix], grasp: str) -> dict[str, Any]:
         "place": {
             "on": on,
             "normal": [float(value) for value in target.support.X_WS[:3, 2]],
-            "poses": [plain(pose_fields(target.support.X_WS @ X_SO)) for X_SO in poses],
+            "poses": [pose_fields(target.support.X_WS @ X_SO) for X_SO in poses],
         },
         "obstacles": obstacles,
     }

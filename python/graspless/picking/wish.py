@@ -191,7 +191,7 @@ def support_fields(support: Support, edges: list[int] | None) -> dict[str, Any]:
     """Returns the support of a slide or a pinch."""
     given: dict[str, Any] = {
         "polygon": rows_of(support.polygon),
-        "pose": plain(pose_fields(support.X_WS)),
+        "pose": pose_fields(support.X_WS),
     }
     return given if edges is None else given | {"usable_edges": edges}
 
@@ -201,7 +201,7 @@ def cloud_fields(wish: Wish) -> dict[str, Any]:
     return {
         "name": wish.name,
         "points": rows_of(wish.thing.points),
-        "pose": plain(pose_fields(wish.thing.X_WO)),
+        "pose": pose_fields(wish.thing.X_WO),
         "rays": [rays_fields(image) for image in wish.thing.rays],
         **({} if wish.mass is None else {"mass": wish.mass}),
     }
@@ -235,11 +235,6 @@ def read_scene(scene: Any) -> tuple[Scene, str]:
     if not scene.objects:
         raise TaskError(f"{file}: no object was found in this scene: {scene.reason}")
     return scene, file
-
-
-def plain(fields: dict[str, Any]) -> dict[str, list[float]]:
-    """Returns fields of arrays as lists."""
-    return {key: [float(value) for value in row] for key, row in fields.items()}
 
 
 def documents(obstacles: list[Any]) -> list[dict[str, Any]]:

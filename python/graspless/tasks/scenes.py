@@ -138,8 +138,7 @@ def _prisms(corners: Matrix, low: float, high: float) -> list[Shape]:
 
 
 def _pose(X: Matrix) -> Pose:
-    fields = pose_fields(X)
-    return Pose(**{name: [float(value) for value in row] for name, row in fields.items()})
+    return Pose(**pose_fields(X))
 
 
 def planar_pose(X_WS: Matrix, X_WO: Matrix) -> dict[str, float]:
