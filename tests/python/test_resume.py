@@ -35,8 +35,8 @@ def test_a_task_file_says_where_the_fingers_start(tmp_path):
 @pytest.mark.parametrize(
     ("start", "words"),
     [
-        ("[[0, -0.05, 0]]", "fingers.start must hold a place for each of 2 fingers"),
-        ("[[0, -0.05, 0], [0, 0.04, 0]]", r"fingers.start\[1\] must lie on the object's surface"),
+        ("[[0, -0.05, 0]]", "fingers.start: must hold a place for each of 2 fingers"),
+        ("[[0, -0.05, 0], [0, 0.04, 0]]", r"fingers.start\[1\]: must lie on the object's surface"),
         ("[[0, -0.05, 0], [0, 0.05]]", "fingers.start.1"),
     ],
 )

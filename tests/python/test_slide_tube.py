@@ -155,7 +155,10 @@ def test_a_support_that_is_too_slippery_for_its_slope_is_refused():
     document = CARD.replace("MASS", "0.05").replace(
         "support: {", "support: {friction: 0.1, pose: {rpy: [0, -0.14, 0]}, "
     )
-    with pytest.raises(ValueError, match=r"support.friction must be at least 0.1409\d*, the slope"):
+    with pytest.raises(
+        ValueError,
+        match=r"support.friction: 0.1: must be at least 0.1409\d*, the slope of the support: the",
+    ):
         graspless.plan(read_task(document, "steep"))
 
 

@@ -30,6 +30,6 @@ def blamed(source: Source, message: str, places: Mapping[str, Location]) -> Task
         if not source.look_up(below)[1]:
             break
         place = below
-    value = re.escape(f"'{source.look_up(place)[0]}'")  # which the error shows by itself
+    value = re.escape(str(source.look_up(place)[0]))  # which the error shows by itself
     what = match[2] if match else message
-    return source.error(place, re.sub(f"^{value}(?! and):? ", "", what))
+    return source.error(place, re.sub(f"^'{value}'(?! and):? |, not {value}(?=:|$)", "", what))

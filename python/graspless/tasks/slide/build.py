@@ -107,8 +107,8 @@ def build_hand(
     if given["finger_model"] == "flexure":
         for field in ("flexure_length", "flexure_stiffness"):
             if field not in given:
-                owner, place = _owner(field, source, task)
-                raise owner.error(place, "must be given with finger_model flexure")
+                owner, (*above, _) = _owner("finger_model", source, task)
+                raise owner.error((*above, field), "must be given with finger_model flexure")
     given["finger_model"] = slide.FingerModel.__members__[given["finger_model"]]
     hand = slide.Hand(**given)
     _check_hand(hand, robot, source, task)
