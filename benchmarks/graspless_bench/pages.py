@@ -29,9 +29,9 @@ def template(page: str) -> dict[str, str]:
 
 
 def circumstances(results: Iterable[Row]) -> dict[str, str]:
-    """Returns machine, versions, a table of commands, and the complaints of all results."""
+    """Returns machines, versions, a table of commands, and the complaints of all results."""
     ordered = list(results)
-    machine = ordered[0]["machine"]
+    machines = [f"{r['machine']['cpu']}, {r['machine']['cores']} cores" for r in ordered]
     rows = [{"name": f"`{r['machine']['command']}`", **r} for r in ordered]
     shown: list[Column] = [
         ("when", lambda r: r["machine"]["date"]),
@@ -40,7 +40,7 @@ def circumstances(results: Iterable[Row]) -> dict[str, str]:
         ("complaints", lambda r: str(len(r["complaints"]))),
     ]
     return {
-        "machine": f"{machine['cpu']}, {machine['cores']} cores",
+        "machine": ", or ".join(dict.fromkeys(machines)),
         "versions": ", ".join(
             f"{name} {version}" for name, version in ordered[0]["versions"].items()
         ),
