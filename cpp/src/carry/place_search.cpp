@@ -11,6 +11,7 @@
 #include "carry/search.hpp"
 #include "carry/straight_path.hpp"
 #include "planning/joints.hpp"
+#include "planning/obstruction.hpp"
 
 namespace graspless::carry {
 namespace {
@@ -243,12 +244,7 @@ void PlaceSearch::fail(std::size_t tried, bool is_unfinished, Plan& plan) const 
   plan.reason = tried == 0   ? "no place was tried"
                 : given == 1 ? "the object cannot be put down at its place"
                              : "none of the " + std::to_string(tried) + " places tried works";
-  const auto most =
-      std::max_element(statistics_.refusals.begin(), statistics_.refusals.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most != statistics_.refusals.end())
-    plan.reason += "; most frequent obstruction: " + most->first;
-  if (is_unfinished) plan.reason += "; the budget ran out before everything was tried";
+  plan.reason += planning::obstruction(statistics_.refusals, is_unfinished);
 }
 
 Statistics PlaceSearch::statistics() {

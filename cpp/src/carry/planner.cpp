@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <sstream>
 
 #include "graspless/planning/path.hpp"
 
 #include "carry/place_search.hpp"
 #include "carry/search.hpp"
+#include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
 
 namespace graspless::carry {
@@ -22,7 +22,7 @@ Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path)
 }
 
 /// One sentence: how far the search came, and what stopped it most often.
-std::string failure(const Search& search, const Statistics& statistics, bool out_of_time) {
+std::string failure(const Search& search, const Statistics& statistics, bool is_unfinished) {
   std::ostringstream text;
   text.precision(3);
   const StraightPath& path = search.object_path();
@@ -32,12 +32,7 @@ std::string failure(const Search& search, const Statistics& statistics, bool out
   } else {
     text << path.angle() << " rad";
   }
-  const auto most =
-      std::max_element(statistics.refusals.begin(), statistics.refusals.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most != statistics.refusals.end()) text << "; most frequent obstruction: " << most->first;
-  if (out_of_time) text << "; the budget ran out before everything was tried";
-  return text.str();
+  return text.str() + planning::obstruction(statistics.refusals, is_unfinished);
 }
 
 Plan searched(const Problem& problem, const Options& options, const planning::Budget& budget,

@@ -6,6 +6,7 @@
 #include "graspless/pinch/pinch.hpp"
 
 #include "pinch/grasps.hpp"
+#include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/hand_motion.hpp"
@@ -184,13 +185,8 @@ class Search {
 
   void fail(std::size_t tried, bool is_unfinished, Plan& plan) {
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
-    plan.reason = "none of " + std::to_string(tried) + " hand poses works";
-    const auto& refusals = statistics_.refusals;
-    const auto most =
-        std::max_element(refusals.begin(), refusals.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most != refusals.end()) plan.reason += "; most frequent obstruction: " + most->first;
-    if (is_unfinished) plan.reason += "; the budget ran out before everything was tried";
+    plan.reason = "none of " + std::to_string(tried) + " hand poses works" +
+                  planning::obstruction(statistics_.refusals, is_unfinished);
   }
 
   const Problem& problem_;

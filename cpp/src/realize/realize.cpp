@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
-#include <stdexcept>
 
 #include "realize/attempt.hpp"
 #include "realize/validate.hpp"

@@ -15,7 +15,7 @@
 #include "graspless/robot/description.hpp"
 
 #include "robot/names.hpp"
-#include "robot/urdf_tree.hpp"
+#include "robot/urdf/tree.hpp"
 #include "robot/xml.hpp"
 
 namespace graspless::robot {

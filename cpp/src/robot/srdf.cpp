@@ -83,7 +83,7 @@ class SrdfReader {
   }
 
   [[noreturn]] static void fail(const TiXmlElement& element, const std::string& message) {
-    throw std::invalid_argument("SRDF line " + std::to_string(element.Row()) + ": " + message);
+    robot::fail(element, "SRDF", message);
   }
 
   static std::string attribute(const TiXmlElement& element, const char* name) {

@@ -58,6 +58,10 @@ void require_shallow(const std::string& xml, const std::string& what) {
   }
 }
 
+void fail(const TiXmlElement& element, const std::string& what, const std::string& message) {
+  throw std::invalid_argument(what + " line " + std::to_string(element.Row()) + ": " + message);
+}
+
 void parse_xml(const std::string& xml, const std::string& what, TiXmlDocument& document) {
   require_shallow(xml, what);
   document.Parse(xml.c_str(), nullptr, TIXML_ENCODING_UTF8);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/urdf_tree.hpp"
+#include "robot/urdf/tree.hpp"
 
 #include <map>
 #include <set>
@@ -8,7 +8,7 @@
 
 #include <tinyxml.h>
 
-#include "robot/urdf_capsules.hpp"
+#include "robot/urdf/capsules.hpp"
 #include "robot/xml.hpp"
 
 namespace graspless::robot {
@@ -23,7 +23,7 @@ struct Edge {
 };
 
 [[noreturn]] void fail(const TiXmlElement& element, const std::string& message) {
-  throw std::invalid_argument("URDF line " + std::to_string(element.Row()) + ": " + message);
+  robot::fail(element, "URDF", message);
 }
 
 std::string attribute(const TiXmlElement& element, const char* name) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot/urdf_capsules.hpp"
+#include "robot/urdf/capsules.hpp"
 
 #include <locale>
 #include <sstream>
@@ -11,6 +11,8 @@
 #include <tinyxml.h>
 #include <urdf_model/pose.h>
 #include <urdf_model/utils.h>
+
+#include "robot/xml.hpp"
 
 namespace graspless::robot {
 namespace {
@@ -23,8 +25,7 @@ TiXmlElement* capsule_of(TiXmlElement& element) {
 std::string text_of(const TiXmlElement& capsule, const char* attribute) {
   const char* value = capsule.Attribute(attribute);
   if (value) return value;
-  throw std::invalid_argument("URDF line " + std::to_string(capsule.Row()) +
-                              ": <capsule> has no attribute '" + attribute + "'");
+  fail(capsule, "URDF", "<capsule> has no attribute '" + std::string(attribute) + "'");
 }
 
 /// Pose of an element's shape in its link. Throws urdf::ParseError.
@@ -82,8 +83,7 @@ bool replace_capsules(TiXmlElement& robot) {
     try {
       replace(*element);
     } catch (const std::runtime_error& error) {  // of urdfdom, about a number
-      throw std::invalid_argument("URDF line " + std::to_string(element->Row()) +
-                                  ": <capsule>: " + error.what());
+      fail(*element, "URDF", std::string("<capsule>: ") + error.what());
     }
   }
   return !found.empty();

@@ -18,7 +18,7 @@
 #include "robot/link_shapes.hpp"
 #include "robot/model.hpp"
 #include "robot/names.hpp"
-#include "robot/urdf_tree.hpp"
+#include "robot/urdf/tree.hpp"
 #include "text.hpp"
 
 namespace graspless::robot {
