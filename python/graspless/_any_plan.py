@@ -134,14 +134,19 @@ class AnyPlan:
         return type(self)._of_document, (document_of(self._any), "pickled plan: task")
 
     @classmethod
-    def _of_document(cls: type[Self], document: dict[str, Any], where: str) -> Self:
-        """Returns the plan of a valid document; error messages call its task `where`."""
+    def _of_document(
+        cls: type[Self], document: dict[str, Any], where: str, fields: Any = None
+    ) -> Self:
+        """Returns the plan of a valid document; error messages call its task `where`.
+
+        `fields` are those of its task, if they are known.
+        """
         from .plan_files.table import HEAD
         from .proving.proof import Proof
         from .tasks import task_from_dict
 
         own = {key: value for key, value in document.items() if key not in HEAD or key == "stats"}
-        plan = cls._made(own, task_from_dict(document["task"], where))
+        plan = cls._made(own, task_from_dict(document["task"], where, fields=fields))
         if document.get("proof") is not None:
             plan.proof = Proof(**document["proof"])
         return plan

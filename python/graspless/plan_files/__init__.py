@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -89,13 +90,16 @@ def read_plan(text: str, file: str) -> Plan:
     with told(file):
         source = Source(file, _parsed(text, file))
         task_kind(source)  # raises unless there is such a kind
-        source.validate(table(source.data["kind"]))
-        return plan_of(source.data, f"{file}: task")
+        valid = source.validate(table(source.data["kind"]))
+        return plan_of(source.data, f"{file}: task", valid.task)
 
 
-def plan_of(document: dict[str, Any], where: str) -> Plan:
-    """Returns the plan of a valid document; error messages call its task `where`."""
-    plan: Plan = plan_type(document["kind"])._of_document(document, where)
+def plan_of(document: dict[str, Any], where: str, fields: Any = None) -> Plan:
+    """Returns the plan of a valid document; error messages call its task `where`.
+
+    `fields` are those of its task, if they are known.
+    """
+    plan: Plan = plan_type(document["kind"])._of_document(document, where, fields)
     return plan
 
 
@@ -124,12 +128,17 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
         raise TaskError(f"{file}: not a plan file: has no 'format'")
     if data["format"] != 1:
         raise Source(file, data).error(("format",), "this graspless reads format 1")
-    _require_once(text, file)
+    _require_once(text, data, file)
     return data
 
 
-def _require_once(text: str, file: str) -> None:
+_STRING = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"\s*(:?)')  # the colon follows a name
+
+
+def _require_once(text: str, data: Any, file: str) -> None:
     """Raises TaskError if a mapping names a field twice, of which `from_json` keeps the last."""
+    if _STRING.findall(text).count(":") == _num_names(data):
+        return
     twice: list[tuple[dict[str, Any], str]] = []
 
     def build(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -143,6 +152,16 @@ def _require_once(text: str, file: str) -> None:
     if twice:  # the last one found is in no other
         mapping, name = twice[-1]
         raise TaskError(f"{file}: {dotted((*_place_of(mapping, data), name))}given twice")
+
+
+def _num_names(data: Any) -> int:
+    """Returns the number of names in all mappings, but those in tables that begin with a number."""
+    if isinstance(data, dict):
+        return len(data) + sum(map(_num_names, data.values()))
+    first: Any = data
+    while isinstance(first, list) and first:
+        first = first[0]
+    return sum(map(_num_names, data)) if isinstance(first, dict) else 0
 
 
 def _place_of(wanted: dict[str, Any], data: Any) -> Location:

@@ -204,7 +204,9 @@ def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool 
         return build_task(fields, source, other)
 
 
-def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
+def task_from_dict(
+    document: Any, file: str, resolve: bool = False, *, fields: Any = None
+) -> Task:
     """Returns the task of a document in plain types.
 
     Parameters
@@ -215,13 +217,15 @@ def task_from_dict(document: Any, file: str, resolve: bool = False) -> Task:
         For errors.
     resolve : bool
         Read the files that it names, relative to the working folder.
+    fields : SlideTask, FingertipTask, ...
+        Those of the document, if it has been validated.
     """
     from .documents import in_plain_types
 
     with told(file):
         source = Source(file, in_plain_types(document) if resolve else document)
         kind = task_kind(source)
-        fields = source.validate(kind.Fields)
+        fields = source.validate(kind.Fields) if fields is None else fields
         if resolve and not fields.files:
             fields, other = kind.resolve(fields, source, Path.cwd())
             return build_task(fields, source, other)
