@@ -199,17 +199,7 @@ void bind_polygon(py::module_& m) {
           [](const Polygon& self, const Array& p) { return self.depth(to_vector2(p, "p")); },
           py::arg("p"),
           "Signed distance from p, (2,), to the boundary [m]: positive inside, negative outside.")
-      .def(
-          "edge",
-          [](const Polygon& self, int index) {
-            if (index < 0 || index >= self.size()) {
-              throw std::invalid_argument("index is " + std::to_string(index) +
-                                          "; the polygon has edges 0 to " +
-                                          std::to_string(self.size() - 1));
-            }
-            return self.edge(index);
-          },
-          py::arg("index"), "Edge from vertex `index` to the next.")
+      .def("edge", &Polygon::edge, py::arg("index"), "Edge from vertex `index` to the next.")
       .def(
           "nearest_edge",
           [](const Polygon& self, const Array& p) { return self.nearest_edge(to_vector2(p, "p")); },

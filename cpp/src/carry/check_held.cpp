@@ -181,6 +181,9 @@ std::vector<std::string> shape_faults(const Problem& problem, const Plan& plan,
   std::vector<std::string> faults, found;
   if (plan.joint_names != problem.robot.joint_names())
     faults.push_back("plan: joint names are not the robot's");
+  if (plan.reached != 1)
+    faults.push_back("plan: reached must be 1 if it is solved, but is " +
+                     std::to_string(plan.reached));
   for (const Segment& segment : plan.segments) found.push_back(segment.name);
   if (found != names) {
     std::string list;

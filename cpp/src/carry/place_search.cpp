@@ -61,10 +61,8 @@ void PlaceSearch::run(Plan& plan) {
   }
   std::vector<Putting> without_way;
   std::size_t tried = 0;
-  bool is_unfinished = false;
   for (; tried < places_.X_WO.size() && without_way.size() < kWithoutWay; ++tried) {
-    is_unfinished = !clock_.spend();
-    if (is_unfinished) break;
+    if (!clock_.spend()) break;
     hold(options_.height);
     for (const VectorXd& q : configurations(places_.X_WO[tried])) {
       hold(options_.height);
@@ -82,7 +80,7 @@ void PlaceSearch::run(Plan& plan) {
     if (add_transfer(putting, kTreeIterations, plan)) return;
     refuse("no way from the start");
   }
-  fail(tried, is_unfinished || clock_.is_out(), plan);
+  fail(tried, plan);
 }
 
 /// Fixes the object to the hand. As it hangs, it may be lower than the support by `depth` [m].
@@ -238,13 +236,13 @@ void PlaceSearch::append(const std::string& name, const Path& path, bool held, P
   plan.segments.push_back(std::move(segment));
 }
 
-void PlaceSearch::fail(std::size_t tried, bool is_unfinished, Plan& plan) const {
+void PlaceSearch::fail(std::size_t tried, Plan& plan) const {
   plan.status = clock_.was_interrupted() ? Status::interrupted : Status::no_place;
   const std::size_t given = places_.X_WO.size();
   plan.reason = tried == 0   ? "no place was tried"
                 : given == 1 ? "the object cannot be put down at its place"
                              : "none of the " + std::to_string(tried) + " places tried works";
-  plan.reason += planning::obstruction(statistics_.refusals, is_unfinished);
+  plan.reason += planning::obstruction(statistics_.refusals, clock_.ran_out());
 }
 
 Statistics PlaceSearch::statistics() {

@@ -58,7 +58,7 @@ class PlaceSearch {
   void hold(double depth);
   void let_stand(const Eigen::VectorXd& q);
   void append(const std::string& name, const planning::Path& path, bool held, Plan& plan) const;
-  void fail(std::size_t tried, bool is_unfinished, Plan& plan) const;
+  void fail(std::size_t tried, Plan& plan) const;
   std::string touching(const Eigen::VectorXd& q);
   bool refuse(const std::string& why) {
     ++statistics_.refusals[why];

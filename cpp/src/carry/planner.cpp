@@ -35,13 +35,13 @@ std::string failure(const Search& search, const Statistics& statistics, bool is_
   return text.str() + planning::obstruction(statistics.refusals, is_unfinished);
 }
 
-Plan searched(const Problem& problem, const Options& options, const planning::Budget& budget,
-              planning::Clock& clock) {
+Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
+              std::uint64_t seed) {
   validate(problem);
   validate(options);
   if (problem.places) {
     Plan plan;
-    PlaceSearch search(problem, options, clock, budget.seed);
+    PlaceSearch search(problem, options, clock, seed);
     search.run(plan);
     plan.statistics = search.statistics();
     return plan;
@@ -55,9 +55,8 @@ Plan searched(const Problem& problem, const Options& options, const planning::Bu
     plan.status = Status::solved;
     plan.segments = {assemble(search, path)};
   } else {
-    const bool out = clock.is_out() || clock.iterations() >= budget.iterations;
     plan.status = clock.was_interrupted() ? Status::interrupted : Status::not_found;
-    plan.reason = failure(search, search.statistics(), out);
+    plan.reason = failure(search, search.statistics(), clock.ran_out());
   }
   plan.reached = search.reached();
   plan.statistics = search.statistics();
@@ -69,7 +68,7 @@ Plan searched(const Problem& problem, const Options& options, const planning::Bu
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   planning::Clock clock(budget, options.max_memory);
   Plan plan = planning::plan_within(clock, "a larger options.step",
-                                    [&] { return searched(problem, options, budget, clock); });
+                                    [&] { return searched(problem, options, clock, budget.seed); });
   plan.statistics.iterations = clock.iterations();
   plan.joint_names = problem.robot.joint_names();
   return plan;

@@ -9,14 +9,14 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/robot/ik.hpp"
 
+#include "scene/names.hpp"
 #include "text.hpp"
 
 namespace graspless::carry {
 namespace {
 
 void check_bodies(const Problem& problem) {
-  std::set<std::string> taken;
-  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
+  std::set<std::string> taken = scene::taken_names(problem.robot, {});
   std::vector<Obstacle> bodies{problem.object};
   try {
     collision::require_obstacles(bodies, taken, "a link of the robot");

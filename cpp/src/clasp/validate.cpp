@@ -8,6 +8,8 @@
 #include "graspless/clasp/clasp.hpp"
 #include "graspless/geometry/pose.hpp"
 
+#include "scene/names.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -47,9 +49,8 @@ void check_pull(const Problem& problem) {
 }
 
 void check_obstacles(const Problem& problem) {
-  std::set<std::string> taken{"object"};
-  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
-  collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or 'object'");
+  collision::require_obstacles(problem.obstacles, scene::taken_names(problem.robot, {"object"}),
+                               "a link, another obstacle or 'object'");
 }
 
 }  // namespace

@@ -81,11 +81,9 @@ class Search {
   void search(const std::vector<Grasp>& grasps, Plan& plan) {
     std::vector<Pinch> unreached;  // no straight motion leads there
     std::size_t tried = 0;
-    bool is_unfinished = false;
     const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
-      is_unfinished = !clock_.spend();
-      if (is_unfinished) break;
+      if (!clock_.spend()) break;
       ++tried;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
         bool is_uneven = false;
@@ -102,7 +100,7 @@ class Search {
       if (add_approach(pinch, kIterations, plan)) return;
       refuse("no way from home");
     }
-    fail(tried, is_unfinished || clock_.is_out(), plan);
+    fail(tried, plan);
   }
 
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
@@ -183,10 +181,10 @@ class Search {
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }
 
-  void fail(std::size_t tried, bool is_unfinished, Plan& plan) {
+  void fail(std::size_t tried, Plan& plan) {
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
     plan.reason = "none of " + std::to_string(tried) + " hand poses works" +
-                  planning::obstruction(statistics_.refusals, is_unfinished);
+                  planning::obstruction(statistics_.refusals, clock_.ran_out());
   }
 
   const Problem& problem_;

@@ -22,9 +22,9 @@ Clock::Clock(const Budget& budget, double max_memory)
 }
 
 bool Clock::spend() {
-  if (iterations_ >= budget_.iterations || is_out()) return false;
-  ++iterations_;
-  return true;
+  refused_ = iterations_ >= budget_.iterations || is_out();
+  if (!refused_) ++iterations_;
+  return !refused_;
 }
 
 bool Clock::is_out() {

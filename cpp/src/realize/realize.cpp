@@ -37,9 +37,9 @@ void keep_better(const Attempts& attempt, Realization& result) {
   result.segments = attempt.segments();
 }
 
-std::string reason(const planning::Clock& clock, bool is_out, const Misses& misses) {
+std::string reason(planning::Clock& clock, const Misses& misses) {
   const char* what = clock.was_interrupted() ? "interrupted" : "out of time";
-  return (is_out ? std::string(what) + "; the farthest attempt ended at " : std::string()) +
+  return (clock.ran_out() ? std::string(what) + "; the farthest attempt ended at " : std::string()) +
          misses.farthest();
 }
 
@@ -57,19 +57,18 @@ void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
   }
   result.reason = home_collision(problem, plan, robot, carrier, q_home, options);
   if (!result.reason.empty()) return;
-  bool is_out = false;
   int found = 0;
-  for (int round = 0; round < options.restarts && found < options.solutions && !is_out; ++round) {
+  for (int round = 0;
+       round < options.restarts && found < options.solutions && !clock.ran_out(); ++round) {
     for (Attempts& attempt : attempts) {
-      is_out = clock.is_out() || !clock.spend();
-      if (is_out) break;
+      if (!clock.spend()) break;
       if (!attempt.run(round)) continue;
       ++found;
       keep_better(attempt, result);
       if (total_scrub(result.segments) <= kLittle * problem.fingers.radius) return;
     }
   }
-  if (!result) result.reason = reason(clock, is_out, misses);
+  if (!result) result.reason = reason(clock, misses);
 }
 
 }  // namespace

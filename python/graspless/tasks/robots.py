@@ -229,15 +229,6 @@ def require_srdf(robot: Robot, source: Source) -> None:
     raise source.error(("robot",), f"no SRDF{looked}; it has the groups and states of the hand")
 
 
-def require_other_names(built: robots.Robot, names: tuple[str, ...], source: Source) -> None:
-    """Raises TaskError if a link with collision shapes has the name of another body of the plan."""
-    links = {built.frame_names[link] for link, _ in built.shapes}
-    for name in names:
-        if name in links:
-            what = f"link '{name}' has the name of another body of the plan: rename it in the URDF"
-            raise source.error(("robot", given_field(source)), what)
-
-
 def build_home(
     robot: Robot, built: robots.Robot, source: Source, others: str | None = None
 ) -> Matrix:

@@ -118,6 +118,7 @@ TEST(CarryPlaceCheck, FindsWhatIsWrong) {
   const std::vector<Mutant> mutants{
       {"must have exactly the segments", [](Plan& p) { p.segments.pop_back(); }},
       {"must have exactly the segments", [](Plan& p) { std::swap(p.segments[0], p.segments[1]); }},
+      {"reached must be 1", [](Plan& p) { p.reached = 0.5; }},
       {"place must lie in", [](Plan& p) { p.place = 2; }},
       {"is not at its place", [](Plan& p) { p.place = 1; }},
       {"is not q_start", [&](Plan& p) { segment(p, "transfer").positions[0][elbow] += 1e-3; }},

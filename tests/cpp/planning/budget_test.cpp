@@ -17,9 +17,11 @@ TEST(Budget, IterationsAreSpentExactly) {
   budget.iterations = 3;
   Clock clock(budget);
   int rounds = 0;
-  while (clock.spend()) ++rounds;
+  while (!clock.ran_out() && clock.spend()) ++rounds;
   EXPECT_EQ(rounds, 3);
   EXPECT_EQ(clock.iterations(), 3);
+  EXPECT_TRUE(clock.ran_out());
+  EXPECT_FALSE(clock.is_out());
   EXPECT_FALSE(clock.was_interrupted());
 }
 

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
 #include "paths.hpp"
+#include "scene/names.hpp"
 
 namespace graspless::scene {
 namespace {
@@ -392,6 +395,19 @@ TEST(LinkClearance, IsNotAskedOfPairsThatAreBuiltNearer) {
   EXPECT_FALSE(scene.is_free(q));
   q[0] -= 1e-2;
   EXPECT_TRUE(scene.is_free(q));
+}
+
+TEST(Names, OfLinksWithShapesAreNotThoseOfOtherBodies) {
+  const Robot robot = Robot::from_urdf(R"(<robot name="r">
+    <link name="object"><collision><geometry><sphere radius="1"/></geometry></collision></link>
+    <link name="support"/>
+    <joint name="j" type="fixed"><parent link="object"/><child link="support"/></joint>
+  </robot>)",
+                                       {});
+  EXPECT_EQ(taken_names(robot, {"support", "wall"}),
+            (std::set<std::string>{"object", "support", "wall"}));
+  expect_refused([&] { taken_names(robot, {"object"}); },
+                 "robot: link 'object' has the name of another body of the plan: rename it");
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ class GRASPLESS_API Polygon {
   /// True if contains(p), and `p` lies at least `margin` >= 0 from the boundary [m]. Takes less
   /// time than depth().
   bool has_margin(const Eigen::Vector2d& p, double margin) const;
-  Edge edge(int index) const;  ///< edge from vertex `index` to the next
+  /// Edge from vertex `index` to the next. Throws std::invalid_argument for another index.
+  Edge edge(int index) const;
   /// Edge nearest to `p` [m]. If two are equally near, as at a corner, the one whose line `p` lies
   /// farther outside of.
   Edge nearest_edge(const Eigen::Vector2d& p) const;

@@ -47,6 +47,7 @@ class GRASPLESS_API Clock {
 
   bool spend();   ///< counts one iteration; false if the budget is used up
   bool is_out();  ///< true if time or memory is up or the query was interrupted; counts nothing
+  bool ran_out() { return refused_ || is_out(); }  ///< the same, or spend() was false once
   bool was_interrupted() const { return interrupted_; }
   bool is_out_of_memory() const { return out_of_memory_; }
   double seconds() const;  ///< since construction
@@ -92,6 +93,7 @@ class GRASPLESS_API Clock {
   std::optional<Steady::time_point> out_since_;
   std::optional<double> memory_at_start_;  // at the first look [bytes]
   std::int64_t iterations_ = 0;
+  bool refused_ = false;  // an iteration
   bool interrupted_ = false;
   bool out_of_memory_ = false;
   bool concludes_ = false;

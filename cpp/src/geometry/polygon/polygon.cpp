@@ -130,6 +130,10 @@ bool Polygon::has_margin(const Eigen::Vector2d& p, double margin) const {
 }
 
 Polygon::Edge Polygon::edge(int index) const {
+  if (index < 0 || index >= size()) {
+    throw std::invalid_argument("index is " + std::to_string(index) +
+                                "; the polygon has edges 0 to " + std::to_string(size() - 1));
+  }
   const Eigen::Vector2d a = vertices_.col(index), b = vertices_.col((index + 1) % size());
   const Eigen::Vector2d along = (b - a).normalized();
   return {index, a, b, {-along.y(), along.x()}};

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "graspless/geometry/pose.hpp"
 #include "graspless/slide/slide.hpp"
 
+#include "scene/names.hpp"
 #include "slide/contact.hpp"
 #include "slide/task/hand_frames.hpp"
 #include "text.hpp"
@@ -66,9 +66,8 @@ void check_hand(const Hand& hand, const robot::Robot& robot) {
 }
 
 void check_obstacles(const Problem& problem) {
-  std::set<std::string> taken{"object", "support"};
-  for (const std::string& link : problem.robot.frame_names()) taken.insert(link);
-  collision::require_obstacles(problem.obstacles, taken,
+  collision::require_obstacles(problem.obstacles,
+                               scene::taken_names(problem.robot, {"object", "support"}),
                                "a link, another obstacle, 'object' or 'support'");
 }
 

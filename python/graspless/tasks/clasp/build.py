@@ -14,7 +14,7 @@ from ..._core import clasp
 from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..rays import build_rays
-from ..robots import build_home, build_robot, require_other_names, require_srdf
+from ..robots import build_home, build_robot, given_field, require_srdf
 from ..shapes import pose_matrix
 from ..source import at
 from .hand import Hand, build_hand
@@ -36,7 +36,6 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
-    require_other_names(robot, ("object",), source)
     assert isinstance(task.hand, Hand)
     in_task = hand_source is source
     hand = build_hand(task.hand, robot, hand_source, ("hand",) if in_task else ())
@@ -54,7 +53,8 @@ def build(task: model.ClaspTask, source: Source, hand_source: Source) -> clasp.P
     try:
         clasp.validate(problem)
     except ValueError as error:
-        raise blamed(source, str(error), _PLACES) from None
+        places = _PLACES | {"robot": ("robot", given_field(source))}
+        raise blamed(source, str(error), places) from None
     return problem
 
 

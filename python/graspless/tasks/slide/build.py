@@ -14,7 +14,7 @@ from ... import frames, geometry
 from ..._core import slide
 from ..blame import blamed
 from ..obstacles import build_obstacles
-from ..robots import build_home, build_robot, require_other_names, require_srdf
+from ..robots import build_home, build_robot, given_field, require_srdf
 from ..shapes import regular_polygon
 from ..source import at, shorten
 from . import model
@@ -56,7 +56,6 @@ def build(
     """
     robot = build_robot(task.robot, source)
     require_srdf(task.robot, source)
-    require_other_names(robot, ("object", "support"), source)
     if not isinstance(task.hand, model.Hand):
         raise source.error(("hand",), "missing")
     hand = build_hand(task.hand, robot, hand_source, source)
@@ -83,7 +82,8 @@ def build(
             raise blamed(owner, str(error), {f"hand.{field}": place, "": place}) from None
         shown = f"X_WO_start {shorten(pose.model_dump())}: "
         message = re.sub(r"^(X_WO_start |(?=object '))", shown, str(error))
-        raise blamed(source, message, _PLACES) from None
+        places = _PLACES | {"robot": ("robot", given_field(source))}
+        raise blamed(source, message, places) from None
     return problem
 
 

@@ -114,6 +114,13 @@ TEST(Polygon, TakesClockwiseVerticesToo) {
   EXPECT_EQ(polygon.contains({0.1, 0.1}), true);
 }
 
+TEST(Polygon, RefusesAnEdgeThatItDoesNotHave) {
+  const Polygon polygon = l_shape();
+  EXPECT_NO_THROW(polygon.edge(polygon.size() - 1));
+  EXPECT_THROW(polygon.edge(polygon.size()), std::invalid_argument);
+  EXPECT_THROW(polygon.edge(-1), std::invalid_argument);
+}
+
 TEST(Polygon, RefusesWhatIsNotOne) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](const std::vector<Eigen::Vector2d>& v, const std::string& why) {
