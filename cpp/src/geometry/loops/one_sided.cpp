@@ -11,6 +11,8 @@
 #include "graspless/geometry/sampling.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/directions.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -85,11 +87,9 @@ bool is_one_sided(const Eigen::Matrix3Xd& points) {
   const double apart = std::max(spacing(points), 1e-3 * radius);
   std::vector<std::pair<double, Eigen::Vector3d>> candidates;
   DepthBuffer buffer(points, apart);
-  for (int i = 0; i < kViewDirections; ++i) {  // spread evenly over the sphere (Fibonacci spiral)
+  for (int i = 0; i < kViewDirections; ++i) {
     poll();
-    constexpr double kGolden = 2.39996322972865332;
-    const double z = 1 - (2 * i + 1.0) / kViewDirections, r = std::sqrt(1 - z * z);
-    const Eigen::Vector3d towards(r * std::cos(kGolden * i), r * std::sin(kGolden * i), z);
+    const Eigen::Vector3d towards = spread_direction(i, kViewDirections);
     const double share = buffer.share(towards);
     if (share >= kNearlyAll) candidates.emplace_back(share, towards);
   }

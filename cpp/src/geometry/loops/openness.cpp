@@ -11,6 +11,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/directions.hpp"
+
 namespace graspless::geometry {
 namespace {
 
@@ -19,17 +21,12 @@ constexpr std::size_t kRays = 256;
 /// thirds of a median, which is shorter than the edge.
 constexpr double kSize = 2. / 3;
 
-/// Directions spread evenly over the sphere (Fibonacci spiral).
 using Rays = std::array<Eigen::Vector3d, kRays>;
 
 Rays make_rays() {
-  constexpr double kGolden = 2.39996322972865332;
   Rays rays;
-  for (std::size_t i = 0; i < kRays; ++i) {
-    const double at = static_cast<double>(i);
-    const double z = 1 - (2 * at + 1) / kRays, r = std::sqrt(1 - z * z);
-    rays[i] = {r * std::cos(kGolden * at), r * std::sin(kGolden * at), z};
-  }
+  for (std::size_t i = 0; i < kRays; ++i)
+    rays[i] = spread_direction(static_cast<int>(i), static_cast<int>(kRays));
   return rays;
 }
 
