@@ -3,7 +3,6 @@
 #include "geometry/loops/one_sided.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
