@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._core import geometry
 from .errors import TaskError
 
 if TYPE_CHECKING:
@@ -97,36 +98,17 @@ def from_quaternion(wxyz: ArrayLike) -> Matrix:
     q = np.asarray(wxyz, dtype=float)
     if q.shape[-1:] != (4,):
         raise TaskError(f"wxyz: shape {q.shape}: should be (..., 4)")
-    length = np.linalg.norm(q, axis=-1, keepdims=True)
-    if not length.all():
+    if not q.any(axis=-1).all():
         raise TaskError("wxyz: a quaternion of length 0 is no rotation")
-    w, x, y, z = np.moveaxis(q / length, -1, 0)
-    X_AB = np.zeros((*q.shape[:-1], 4, 4))
-    X_AB[..., 3, 3] = 1.0
-    X_AB[..., 0, 0] = 1 - 2 * (y * y + z * z)
-    X_AB[..., 0, 1] = 2 * (x * y - z * w)
-    X_AB[..., 0, 2] = 2 * (x * z + y * w)
-    X_AB[..., 1, 0] = 2 * (x * y + z * w)
-    X_AB[..., 1, 1] = 1 - 2 * (x * x + z * z)
-    X_AB[..., 1, 2] = 2 * (y * z - x * w)
-    X_AB[..., 2, 0] = 2 * (x * z - y * w)
-    X_AB[..., 2, 1] = 2 * (y * z + x * w)
-    X_AB[..., 2, 2] = 1 - 2 * (x * x + y * y)
+    X_AB: Matrix = geometry.rotations(q.reshape(-1, 4)).reshape(*q.shape[:-1], 4, 4)
     return X_AB
 
 
 def to_quaternion(X_AB: ArrayLike) -> Matrix:
     """Returns the unit quaternions [..., 4] (w, x, y, z), w >= 0, of poses [..., 4, 4]."""
-    R = np.asarray(X_AB, dtype=float)[..., :3, :3]
-    # Bar-Itzhack: the eigenvector of the largest eigenvalue, good for every angle.
-    K = np.empty((*R.shape[:-2], 4, 4))
-    K[..., 0, 0] = trace = R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2]
-    K[..., 1:, 1:] = R + R.swapaxes(-1, -2) - trace[..., None, None] * np.eye(3)
-    for i, (j, k) in enumerate([(2, 1), (0, 2), (1, 0)], start=1):
-        K[..., 0, i] = K[..., i, 0] = R[..., j, k] - R[..., k, j]
-    wxyz: Matrix = np.linalg.eigh(K)[1][..., -1]
-    first = np.argmax(np.abs(wxyz) > 1e-12, axis=-1)[..., None]  # w unless it is 0
-    return np.where(np.take_along_axis(wxyz, first, axis=-1) > 0, wxyz, -wxyz)
+    X = np.asarray(X_AB, dtype=float)
+    wxyz: Matrix = geometry.quaternions(X.reshape(-1, 4, 4)).reshape(*X.shape[:-2], 4)
+    return wxyz
 
 
 def to_row(X_AB: ArrayLike) -> list[float]:
@@ -141,22 +123,10 @@ def from_row(row: Sequence[float]) -> Matrix:
     return X_AB
 
 
-def to_rows(poses: ArrayLike) -> list[list[float]]:
-    """Returns the rows of poses [N, 4, 4] in plan files, of seven numbers each."""
-    moved, which = moved_rows(np.asarray(poses, dtype=float).reshape(-1, 4, 4))
-    rows: list[list[float]] = moved[which].tolist()
-    return rows
-
-
-def moved_rows(poses: Matrix) -> tuple[Matrix, NDArray[np.int64]]:
-    """Returns rows [M, 7] and, for each of the poses [N, 4, 4], the index of its row [N].
-
-    A pose that equals the one before shares its row: an object mostly stands still.
-    """
-    new = np.ones(len(poses), dtype=bool)
-    new[1:] = (poses[1:] != poses[:-1]).any(axis=(1, 2))
-    moved = poses[new]
-    return np.hstack([moved[:, :3, 3], to_quaternion(moved)]), np.cumsum(new) - 1
+def to_rows(poses: ArrayLike) -> Matrix:
+    """Returns the rows [N, 7] of poses [N, 4, 4] in plan files."""
+    X = np.asarray(poses, dtype=float).reshape(-1, 4, 4)
+    return np.concatenate([X[:, :3, 3], to_quaternion(X)], axis=1)
 
 
 def from_rows(rows: ArrayLike) -> Matrix:
@@ -190,8 +160,7 @@ def along(poses: Matrix, rows: Matrix) -> Matrix:
 
 def places(poses: Matrix) -> tuple[Matrix, Matrix]:
     """Returns positions [N, 3] and unit quaternions [N, 4] of poses [N, 4, 4]."""
-    moved, which = moved_rows(poses)
-    return poses[:, :3, 3], moved[which, 3:]
+    return poses[:, :3, 3], to_quaternion(poses)
 
 
 def mixed(

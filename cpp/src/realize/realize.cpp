@@ -39,7 +39,8 @@ void keep_better(const Attempts& attempt, Realization& result) {
 
 std::string reason(planning::Clock& clock, const Misses& misses) {
   const char* what = clock.was_interrupted() ? "interrupted" : "out of time";
-  return (clock.ran_out() ? std::string(what) + "; the farthest attempt ended at " : std::string()) +
+  return (clock.ran_out() ? std::string(what) + "; the farthest attempt ended at "
+                          : std::string()) +
          misses.farthest();
 }
 
@@ -58,8 +59,8 @@ void search(const Problem& problem, const Plan& plan, const robot::Robot& robot,
   result.reason = home_collision(problem, plan, robot, carrier, q_home, options);
   if (!result.reason.empty()) return;
   int found = 0;
-  for (int round = 0;
-       round < options.restarts && found < options.solutions && !clock.ran_out(); ++round) {
+  for (int round = 0; round < options.restarts && found < options.solutions && !clock.ran_out();
+       ++round) {
     for (Attempts& attempt : attempts) {
       if (!clock.spend()) break;
       if (!attempt.run(round)) continue;

@@ -16,8 +16,9 @@ inline std::set<std::string> taken_names(const robot::Robot& robot, std::set<std
   for (const robot::LinkShape& shape : robot.shapes()) {
     const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
     if (bodies.count(link) != 0) {
-      throw std::invalid_argument("robot: link '" + link +
-                                  "' has the name of another body of the plan: rename it in the URDF");
+      throw std::invalid_argument(
+          "robot: link '" + link +
+          "' has the name of another body of the plan: rename it in the URDF");
     }
   }
   bodies.insert(robot.frame_names().begin(), robot.frame_names().end());

@@ -100,7 +100,7 @@ def _transform(X: Matrix) -> str:
 
 def _quaternions_first(trajectory: Trajectory) -> Matrix:
     """[N, 7] qw qx qy qz x y z, as Drake orders a free body; quaternions do not change sign."""
-    rows = np.array(frames.to_rows(trajectory.object_poses))[:, [3, 4, 5, 6, 0, 1, 2]]
+    rows = frames.to_rows(trajectory.object_poses)[:, [3, 4, 5, 6, 0, 1, 2]]
     turns = np.einsum("ij,ij->i", rows[:-1, :4], rows[1:, :4]) < 0
     rows[1:, :4] *= np.where(np.cumsum(turns) % 2, -1.0, 1.0)[:, None]
     return rows

@@ -120,7 +120,7 @@ class _Recording:
         self.stream.log(_path(name), pose, static=True)
 
     def _move(self, name: Sequence[str], poses: Matrix) -> None:
-        rows = np.array(frames.to_rows(poses))
+        rows = frames.to_rows(poses)
         turns = rows[:, [4, 5, 6, 3]]
         columns = rerun.Transform3D.columns(translation=rows[:, :3], quaternion=turns)
         self._send(name, columns)

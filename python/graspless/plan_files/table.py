@@ -120,7 +120,7 @@ def fields_of(
     fields |= _fields(found, model, changes or {}, poses, _numbers)
     every = _joined([X for _, X in poses])
     is_known = known is not None and len(known) == len(every)
-    rows = iter(known.tolist() if is_known else frames.to_rows(every))
+    rows = iter((known if is_known else frames.to_rows(every)).tolist())
     for row, X in poses:
         row += islice(rows, len(X)) if X.ndim == 3 else next(rows)
     return fields
@@ -133,13 +133,12 @@ def adopt(plan: Any, found: Any, model: type[PlanFields]) -> Matrix:
     """
     poses: list[tuple[list[Any], Matrix]] = []
     values = _fields(found, model, {}, poses, lambda value: value)
-    moved, which = frames.moved_rows(_joined([X for _, X in poses]))
-    exact = frames.from_rows(moved)[which]
-    parts = _split(exact, [len(X) if X.ndim == 3 else None for _, X in poses])
+    rows = frames.to_rows(_joined([X for _, X in poses]))
+    parts = _split(frames.from_rows(rows), [len(X) if X.ndim == 3 else None for _, X in poses])
     plan.statistics = found.statistics
     for attribute, value in _attributes(values, model, parts).items():
         setattr(plan, attribute, value)
-    return moved[which]
+    return rows
 
 
 def _joined(poses: list[Matrix]) -> Matrix:
