@@ -4,8 +4,9 @@
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from graspless import geometry
+from graspless import frames, geometry
 from graspless.geometry import Band, Box, Capsule, Convex, Mesh, PlacedShape, Polygon, Sphere
 
 SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -126,3 +127,22 @@ def test_shapes_keep_what_they_were_given():
     np.testing.assert_array_equal(placed.shape.size, [1, 2, 3])
     np.testing.assert_array_equal(placed.X_BG, np.eye(4))
     assert repr(Box([1, 2, 3])) == "Box(size=array([1., 2., 3.]))"
+
+
+def test_rotations_are_those_of_scipy():
+    rng = np.random.default_rng(1)
+    turns = rng.normal(size=(200, 3))
+    turns[:60] *= np.pi / np.linalg.norm(turns[:60], axis=1, keepdims=True)  # half turns
+    turns[60:63] = np.pi * np.eye(3)
+    turns[63] = 0
+    oracle = Rotation.from_rotvec(turns)
+    X = np.tile(np.eye(4), (200, 1, 1))
+    X[:, :3, :3] = oracle.as_matrix()
+    wxyz = frames.to_quaternion(X)
+    np.testing.assert_allclose(np.linalg.norm(wxyz, axis=1), 1, rtol=1e-14)
+    assert (np.sum(wxyz * np.roll(oracle.as_quat(), 1, axis=1), axis=1) ** 2 > 1 - 1e-14).all()
+    first = np.argmax(np.abs(wxyz) > 1e-12, axis=1)
+    assert (wxyz[np.arange(200), first] > 0).all()
+    np.testing.assert_allclose(frames.from_quaternion(wxyz), X, atol=1e-14)
+    np.testing.assert_allclose(frames.from_quaternion(-3 * wxyz[7]), X[7], atol=1e-14)
+    np.testing.assert_array_equal(frames.to_quaternion(X[7]), wxyz[7])

@@ -7,7 +7,7 @@ import enum
 import numpy
 import numpy.typing
 import typing
-__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'HeightMap', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'columns', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'rays_from_viewpoints', 'read_mesh', 'sample_grid', 'sample_surface', 'seen_heights', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
+__all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'HeightMap', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'columns', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'quaternions', 'rays_from_viewpoints', 'read_mesh', 'rotations', 'sample_grid', 'sample_surface', 'seen_heights', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
     """
     A box centred at its frame's origin, sides along the axes.
@@ -863,6 +863,10 @@ def outline(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], wha
         If there are fewer than three points, if one is not finite, if all lie on a line, or if they
         form several pieces.
     """
+def quaternions(X: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, n]"]:
+    """
+    Unit quaternions (N, 4), w x y z, of rotations or poses (N, 4, 4). The first component that is not 0 is positive.
+    """
 def rays_from_viewpoints(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], viewpoints: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> list[RayImage]:
     """
     Makes rays of cameras of which only the positions are known.
@@ -909,6 +913,10 @@ def read_mesh(path: str, scale: typing.SupportsFloat | typing.SupportsIndex | ty
     ------
     ValueError
         If the file is missing, unreadable or empty; names the path.
+    """
+def rotations(wxyz: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
+    """
+    Rotations (N, 4, 4) of quaternions (N, 4), w x y z, normalised first.
     """
 def sample_grid(polygon: Polygon, spacing: typing.SupportsFloat | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 2]"]:
     """
