@@ -46,7 +46,8 @@ struct Problem {
   std::vector<Obstacle> obstacles;
   std::vector<Rest> rests_on;
   Eigen::VectorXd q_start;  ///< configuration at the start, all joints [rad or m]
-  /// Where the object is put down, instead of a straight path to X_WO_goal, which does not count.
+  /// Places where the object is put down, instead of a straight path to X_WO_goal, which does not
+  /// count.
   std::optional<Places> places = std::nullopt;
   /// Pose of a loose object at the start, as it hangs in the hand: between this pose and
   /// object.X_WB, it may be anywhere. On the way, nothing may touch it at either pose. On a

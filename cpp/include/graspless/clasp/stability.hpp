@@ -102,7 +102,7 @@ struct Pinch {
   double gap = 0;    ///< of the finger that is farther from the object [m]; it must touch, to 3 mm
 };
 
-/// How an object hangs in a closed hand that carries it.
+/// Pose in which an object hangs in a closed hand that carries it.
 struct Hang {
   /// True if the hand holds it up: it comes to rest with the loop no farther from the hand's centre
   /// than the escape distance.

@@ -39,8 +39,8 @@ struct Convex {
   Eigen::Matrix3Xd vertices;  ///< one point per column [m]
 };
 
-/// A triangle surface. Only the surface collides, so a body wholly inside does not touch it. A
-/// closed convex mesh is the exception: it collides as the solid it bounds.
+/// A triangle surface. One that is closed bounds a solid: what is wholly inside touches it. Of any
+/// other, only the surface collides.
 struct Mesh {
   Eigen::Matrix3Xd vertices;   ///< one point per column [m]
   Eigen::Matrix3Xi triangles;  ///< vertex indices, one triangle per column

@@ -101,12 +101,12 @@ struct Unseen {
 /// Result of perceive().
 struct Scene {
   Status status = Status::no_depth;
-  std::string reason;  ///< what was found, or why nothing was, and what to do; one sentence or two
+  std::string reason;  ///< result, or why there is none and what to do; one sentence or two
   std::vector<Support> supports;  ///< from the largest to the smallest
   std::vector<Object> objects;
   std::vector<Unseen> unseen;
-  std::vector<std::string> warnings;  ///< what may be wrong although something was found
-  /// When the images were taken, in seconds since 1970; set by the caller, nothing if unknown.
+  std::vector<std::string> warnings;  ///< doubts about what was found, one sentence each
+  /// Time at which the images were taken [s since 1970]; set by the caller, nothing if unknown.
   std::optional<double> stamp = std::nullopt;
   explicit operator bool() const { return status == Status::found; }
 };

@@ -42,7 +42,7 @@ class GRASPLESS_API Ik {
   };
 
   /// `group`: joint indices of the chain, from the base outwards. Throws std::invalid_argument when
-  /// they are not all between the root and `frame`.
+  /// they are not all between the root and `frame`, or occur twice, or an option is out of range.
   Ik(const Robot& robot, int frame, std::vector<int> group, const Options& options);
   Ik(const Robot& robot, int frame, std::vector<int> group)
       : Ik(robot, frame, std::move(group), Options{}) {}

@@ -62,8 +62,8 @@ class GRASPLESS_API Robot {
   const std::vector<std::string>& joint_names() const;
   const Eigen::VectorXd& lower() const;         ///< [rad or m]; a continuous joint has -pi
   const Eigen::VectorXd& upper() const;         ///< [rad or m]; a continuous joint has pi
-  const Eigen::VectorXd& max_velocity() const;  ///< [rad/s or m/s]; infinite if the URDF has none
-  const Eigen::VectorXd& max_effort() const;    ///< [Nm or N]
+  const Eigen::VectorXd& max_velocity() const;  ///< [rad/s or m/s]; infinite if it has none, or 0
+  const Eigen::VectorXd& max_effort() const;    ///< [Nm or N]; infinite if it has none, or 0
   const Eigen::Isometry3d& X_WB() const;
 
   const std::vector<std::string>& frame_names() const;

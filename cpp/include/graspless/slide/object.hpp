@@ -68,7 +68,7 @@ class GRASPLESS_API Object {
   bool is_thin() const;        ///< true if the thickness is at most 3/4 of the least width
   double least_width() const;  ///< across an edge of the outline [m]
   const Eigen::Vector3d& com() const { return com_; }  ///< in O [m]
-  double mass() const { return mass_; }                ///< [kg]
+  double mass() const { return mass_; }                ///< [kg]; 0.05 unless with_mass() sets it
   /// True if the underside may be hollow: the object may rest on the rim of its outline alone.
   bool is_hollow() const { return is_hollow_; }
   /// Heights within the outline, if they are known: the object is a prism otherwise.

@@ -22,9 +22,9 @@ class GRASPLESS_API Support {
   /// `slab`: thickness of the table top [m]. `band_width`: width of P_g, the band along the edges
   /// where slides may end [m]. `friction`: coefficient of friction between object and support.
   /// `usable_edges`: indices of the edges over which objects may stick out; by default all. Beyond
-  /// the others nobody knows what there is. Throws std::invalid_argument unless all lengths are
-  /// positive, X_WS is a rigid pose tilted by at most 60 degrees, and the indices are those of at
-  /// least one edge, each once.
+  /// the others nobody knows what there is. Throws std::invalid_argument unless lengths and
+  /// friction are positive, X_WS is a rigid pose tilted by at most 60 degrees, and the indices are
+  /// those of at least one edge, each once.
   Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS, double slab = 0.04,
           double band_width = 0.06, double friction = 0.3,
           const std::optional<std::vector<int>>& usable_edges = std::nullopt);
