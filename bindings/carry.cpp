@@ -111,7 +111,7 @@ void bind_problem(py::module_& m) {
             return from_pose(self.X_WO_goal);
           },
           "(4, 4) pose of the object in the world at the end; None with places.")
-      .def_readonly("places", &Problem::places, "Where the object is put down, or None.")
+      .def_readonly("places", &Problem::places, "Places where the object is put down, or None.")
       .def_property_readonly(
           "X_WO_hanging",
           [](const Problem& self) -> std::optional<Pose> {

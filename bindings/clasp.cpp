@@ -281,7 +281,7 @@ void bind_stability(py::module_& m) {
       Field{"withstands", &Stability::withstands,
             "Largest force that may act suddenly in any direction, with moments in proportion as "
             "in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if "
-            "none does, 0 if that was not tested."},
+            "none does, 0 if that was not tested or the loop escaped."},
       Field{"opens_first", &Stability::opens_first,
             "The joint that gives way first; empty if none does."},
       Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},
@@ -492,7 +492,8 @@ void bind_plan(py::module_& m) {
 }
 
 void bind_hang(py::module_& m) {
-  py::class_<Hang> found(m, "Hang", "How an object hangs in a closed hand that carries it.");
+  py::class_<Hang> found(m, "Hang",
+                         "Pose in which an object hangs in a closed hand that carries it.");
   found.def_readonly("holds", &Hang::holds, "True if the hand holds it up.")
       .def_property_readonly(
           "X_WO", [](const Hang& self) { return from_pose(self.X_WO); },

@@ -107,8 +107,9 @@ void bind_collision(py::module_ m) {
       .def(
           "distance_bounds", [](World& self) { return self.distance_bounds(); },
           "Returns a lower bound on the distance of each tested pair, in the order of pairs [m].")
-      .def_property_readonly("num_checks", &World::num_checks,
-                             "Number of configurations tested so far.")
+      .def_property_readonly(
+          "num_checks", &World::num_checks,
+          "Number of configurations that collides() and first_collision() have tested so far.")
       .def("__repr__", [](const World& self) {
         return "<World of " + std::to_string(self.num_bodies()) + " bodies, " +
                std::to_string(self.pairs().size()) + " pairs tested>";

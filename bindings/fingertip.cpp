@@ -521,9 +521,8 @@ void bind_plan(py::module_& m) {
               "Index of the segment of least stability; -1 without a plan."});
   field(Field{"weakest_row", &Plan::weakest_row,
               "Index of the row of least stability in that segment; -1 without a plan."});
-  field(Field{"limit", &Plan::limit, "If not solved: the obstacles to a plan."});
-  field(Field{"relaxations", &Plan::relaxations,
-              "If not solved: the single changes that would help."});
+  field(Field{"limit", &Plan::limit, "Obstacles to a plan, if not solved."});
+  field(Field{"relaxations", &Plan::relaxations, "Single changes that would help, if not solved."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
 }
 

@@ -59,14 +59,14 @@ void bind_shapes(py::module_& m) {
       .def(py::init([](const Array& size) {
              return validated(Box{to_vector3(size, "box size")}, "box");
            }),
-           py::arg("size"), "size: (3,) side lengths [m], positive.")
+           py::arg("size"), "size: (3,) side lengths [m], each in [1e-6, 10000].")
       .def_property_readonly(
           "size", [](const Box& box) { return box.size; }, "(3,) side lengths [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"size"}); });
 
   py::class_<Sphere>(m, "Sphere", "A sphere centred at its frame's origin.")
       .def(py::init([](double radius) { return validated(Sphere{radius}, "sphere"); }),
-           py::arg("radius"), "radius: radius [m], positive.")
+           py::arg("radius"), "radius: radius [m], in [1e-6, 10000].")
       .def_readonly("radius", &Sphere::radius, "Radius [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"radius"}); });
 
@@ -77,7 +77,7 @@ void bind_shapes(py::module_& m) {
              return validated(Capsule{radius, length}, "capsule");
            }),
            py::arg("radius"), py::arg("length"),
-           "radius, length: [m], positive. length: of the segment.")
+           "radius, length: [m], each in [1e-6, 10000]. length: of the segment.")
       .def_readonly("radius", &Capsule::radius, "Radius [m].")
       .def_readonly("length", &Capsule::length,
                     "Length of the segment, without the two half spheres [m].")
@@ -216,7 +216,8 @@ void bind_band(py::module_& m) {
       "The points of a polygon near its edges: the polygon minus its contraction by `width`.\n\n"
       "P_g of Hang, Morgan, Dollar 2019, Section IV-B.")
       .def(py::init<const Polygon&, double>(), py::arg("polygon"), py::arg("width"),
-           py::call_guard<py::gil_scoped_release>(), "width: width of the band [m], positive.")
+           py::call_guard<py::gil_scoped_release>(),
+           "width: width of the band [m], in [1e-6, 10000].")
       .def_property_readonly("polygon", &Band::polygon, "The polygon.")
       .def_property_readonly("width", &Band::width, "Width of the band [m].")
       .def_property_readonly("core", &Band::core,
@@ -531,7 +532,8 @@ void bind_height_map(py::module_& m) {
           "(nx, ny) [m], the first index along x; 0: nothing is there. undersides: (nx, ny) lowest "
           "height at which each cell was seen [m]; None: the cells are known to be solid down to "
           "the plane.\n\nRaises ValueError unless "
-          "there are 1 to 10^6 cells, none with a negative height and one with a positive one.")
+          "there are 1 to 10^6 cells of at least 1e-4 m, none with a negative height and one with "
+          "a height of at least 1e-6 m.")
       .def_property_readonly(
           "corner", [](const HeightMap& self) -> Eigen::Vector2d { return self.corner; },
           "(2,) least x and y of the first cell [m].")
@@ -638,7 +640,7 @@ void bind_loops(py::module_& m) {
                     "Share of its length that lies where no ray reached the object, in [0, 1]. 0 "
                     "without rays.")
       .def_readonly("reason", &Loop::reason,
-                    "Why it is uncertain or discarded; empty for a hole that was found.")
+                    "Reason why it is uncertain or discarded; empty for a hole that was found.")
       .def("__repr__", [](const Loop& self) {
         return "<Loop of " + std::to_string(self.points.cols()) + " corners, " + text(self.length) +
                " m>";
@@ -808,7 +810,9 @@ void bind_linking(py::module_& m) {
   py::class_<PreparedLoop>(m, "PreparedLoop",
                            "A closed loop preprocessed for many linking queries.")
       .def(py::init([](const LoopOrRows& loop) { return PreparedLoop(to_loop(loop, "loop")); }),
-           py::arg("loop"), "loop: a Loop, or its corners (K, 3) [m].")
+           py::arg("loop"),
+           "loop: a Loop, or its corners (K, 3) [m].\n\nRaises ValueError if it has fewer than 3 "
+           "corners or is not finite.")
       .def_property_readonly(
           "points", [](const PreparedLoop& self) -> Rows3 { return self.points().transpose(); },
           "(K, 3) corners [m].")

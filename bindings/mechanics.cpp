@@ -231,8 +231,8 @@ void bind_contact_set(py::module_& m) {
       "Raises\n"
       "------\n"
       "ValueError\n"
-      "    A value is not finite, a coefficient of friction is negative, a force limit is not "
-      "positive,\n"
+      "    A value is not finite, a coefficient of friction is not in [0, 1e4], a force limit is\n"
+      "    not in [1e-6, 1e6] N,\n"
       "    a normal is not a unit vector, a sliding contact has no direction along the surface, a "
       "cone\n"
       "    has fewer than three edges, there are more than four fingers, or the scale is singular. "
@@ -288,15 +288,20 @@ void bind_cones(py::module_& m) {
       "n_O : array (3,)\n"
       "    Unit normal in O.\n"
       "friction : float\n"
-      "    Coefficient of friction.\n"
+      "    Coefficient of friction, not negative.\n"
       "edges : int\n"
-      "    Number of edges.\n"
+      "    Number of edges, at least 3.\n"
       "t_O : array (3,), optional\n"
       "    Direction in O towards which the first edge leans, as in `tangent`.\n\n"
       "Returns\n"
       "-------\n"
       "array (edges, 3)\n"
-      "    Unit vectors c_1 ... c_s in O, counter-clockwise about n_O at equal angles.");
+      "    Unit vectors c_1 ... c_s in O, counter-clockwise about n_O at equal angles.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    There are fewer than three edges, or an array has the wrong shape or is not finite.\n"
+      "    The length of n_O and the sign of friction are not checked.");
   m.def(
       "wrench_scale",
       [](double mass, const Array& inertia_O) -> Matrix6Rows {
@@ -338,7 +343,11 @@ void bind_cones(py::module_& m) {
       "Returns\n"
       "-------\n"
       "array (6,)\n"
-      "    Force and moment in O [N, N m]. The moment is zero.");
+      "    Force and moment in O [N, N m]. The moment is zero.\n\n"
+      "Raises\n"
+      "------\n"
+      "ValueError\n"
+      "    The mass is not in [1e-9, 1e5] kg, or a value of gravity_O is beyond 1000 m/s^2.");
   m.def(
       "disturbance_directions", []() -> Rows6 { return disturbance_directions().transpose(); },
       "Returns the directions of disturbances l_1 ... l_N of Problem (6), with N = 76 as in "

@@ -21,7 +21,9 @@ void bind_camera(py::module_& m) {
              return camera;
            }),
            py::arg("width") = 640, py::arg("height") = 480, py::arg("angle") = 1.0471975511965976,
-           "width, height: size of the image [pixels]. angle: horizontal field of view [rad].")
+           "width, height: size of the image [pixels], in [16, 20000]. angle: horizontal field of "
+           "view [rad].\n\n"
+           "Raises ValueError unless both fields of view lie in [5, 170] degrees.")
       .def_static(
           "from_matrix",
           [](const Array& K, int width, int height) {
@@ -56,7 +58,7 @@ void bind_rendering(py::module_& m) {
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shapes", "X_WB"});
       });
-  py::class_<Rendering>(m, "Rendering", "What the rays through the centres of all pixels meet.")
+  py::class_<Rendering>(m, "Rendering", "First hits of the rays through the centres of all pixels.")
       .def_property_readonly(
           "depth", [](const Rendering& self) -> DepthImage { return self.depth; },
           "(H, W) depths along the optical axis [m]; 0 if a ray meets nothing.")
@@ -193,7 +195,7 @@ void bind_support(py::module_& m) {
 
 void bind_seen_object(py::module_& m) {
   py::class_<Object>(m, "Object",
-                     "Something that stands on a support or lies on it.\n\nIts frame O has its "
+                     "A thing that stands on a support or lies on it.\n\nIts frame O has its "
                      "origin in the support's plane, below the centroid of the outline, z out of "
                      "the plane, and x along its longest extent.")
       .def(py::init([](const std::string& name, const std::string& support, const Array& outline,
@@ -302,14 +304,14 @@ void bind_scene_class(py::module_& m) {
           py::arg("objects"), py::arg("unseen"), py::arg("warnings"),
           py::arg("stamp") = std::nullopt, "Any field by keyword.");
   cls.def_readonly("status", &Scene::status, "Outcome.");
-  cls.def_readonly("reason", &Scene::reason, "What was found, or why nothing was, and what to do.");
+  cls.def_readonly("reason", &Scene::reason,
+                   "Result, or the reason why there is none and what to do; one sentence or two.");
   bind_items(cls, "supports", &Scene::supports, "Supports, from the largest to the smallest.");
   bind_items(cls, "objects", &Scene::objects, "Objects, the nearest to the first camera first.");
   bind_items(cls, "unseen", &Scene::unseen, "Space that no ray reached.");
-  bind_items(cls, "warnings", &Scene::warnings,
-             "What may be wrong although something was found, one sentence each.");
+  bind_items(cls, "warnings", &Scene::warnings, "Doubts about what was found, one sentence each.");
   cls.def_readwrite("stamp", &Scene::stamp,
-                    "When the images were taken [s since 1970]; None if unknown.");
+                    "Time at which the images were taken [s since 1970]; None if unknown.");
   cls.def(
       "__bool__", [](const Scene& self) { return static_cast<bool>(self); },
       "True if at least one support was found.");
@@ -335,7 +337,7 @@ void bind_perception(py::module_ m) {
   bind_rendering(m);
   bind_options_struct<Options>(m, "Options", "Options of perceive().");
   bind_choices<Status>(m, "Status", "Outcome of perceive().");
-  bind_choices<EdgeLabel>(m, "EdgeLabel", "What is beyond an edge of a support.");
+  bind_choices<EdgeLabel>(m, "EdgeLabel", "Reason why a support ends at an edge.");
   bind_view(m);
   bind_support(m);
   bind_seen_object(m);

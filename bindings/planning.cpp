@@ -44,7 +44,9 @@ void bind_field_description(py::module_& m) {
 /// Docstring of a field of the budget.
 std::string doc_of(const std::string& name) {
   for (const FieldDescription& field : descriptions<planning::Budget>()) {
-    if (field.name == name) return field.text;
+    if (field.name == name) {
+      return field.text + (field.unit.empty() ? "" : "\n\nUnit: " + field.unit + ".");
+    }
   }
   return "";
 }
@@ -123,8 +125,8 @@ void bind_planning(py::module_ m) {
            }),
            py::kw_only(), py::arg("seconds") = 10.0, py::arg("iterations") = py::none(),
            py::arg("seed") = 1,
-           "seconds: wall clock [s], may be inf. iterations: rounds of the main loop, None for no "
-           "limit.\n\n"
+           "seconds: wall clock [s], above 0, may be inf. iterations: rounds of the main loop, "
+           "None for no limit. seed: of all random numbers, from 0 to 2^64 - 1.\n\n"
            "The same seed and iterations give the same plan, bit by bit, unless the clock ends the "
            "search first.")
       .def_readonly("seconds", &StoppableBudget::seconds, doc_of("seconds").c_str())

@@ -78,10 +78,10 @@ void bind_tables(py::class_<Robot>& cls) {
           "(dof,) upper limits [rad or m]; a continuous joint has pi.")
       .def_property_readonly(
           "max_velocity", [](const Robot& self) -> Eigen::VectorXd { return self.max_velocity(); },
-          "(dof,) largest velocities [rad/s or m/s]; inf if the URDF has none.")
+          "(dof,) largest velocities [rad/s or m/s]; inf if the URDF has none, or 0.")
       .def_property_readonly(
           "max_effort", [](const Robot& self) -> Eigen::VectorXd { return self.max_effort(); },
-          "(dof,) largest efforts [Nm or N].")
+          "(dof,) largest efforts [Nm or N]; inf if the URDF has none, or 0.")
       .def_property_readonly(
           "X_WB", [](const Robot& self) { return from_pose(self.X_WB()); },
           "(4, 4) pose of the root link in the world.")
@@ -262,8 +262,8 @@ void bind_shapes(py::class_<Robot>& cls) {
             return self.reach(frame_index(self, link, "link"));
           },
           py::arg("link"),
-          "Returns an upper bound on how far any point of a link moves per unit of each joint, "
-          "(dof,) [m/rad or 1].")
+          "Returns an upper bound on how far any point of a link's shapes moves per unit of each "
+          "joint, (dof,) [m/rad or 1]; of a link without shapes, its origin.")
       .def("__repr__", [](const Robot& self) {
         return "<Robot '" + self.name() + "' with " + std::to_string(self.dof()) + " joints and " +
                std::to_string(self.frame_names().size()) + " links>";

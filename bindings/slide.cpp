@@ -45,7 +45,8 @@ void bind_object(py::module_& m) {
           "Creates an object from its outline, a Polygon or (N, 2) in O [m], and its thickness "
           "[m].\n\n"
           "Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the "
-          "outline, at half the thickness.\n\nRaises ValueError on a bad outline, or on a "
+          "outline, at half the thickness. The mass is 0.05 kg: see with_mass.\n\nRaises "
+          "ValueError on a bad outline, or on a "
           "thickness over three quarters of the object's width.")
       .def_static(
           "prism",
@@ -64,7 +65,8 @@ void bind_object(py::module_& m) {
           },
           py::arg("name"), py::arg("p_OP"), py::arg("thickness") = 0.0,
           "Creates an object from points on its top surface, (N, 3) in O [m]: P_o of Hang et al. "
-          "2019, Section IV-A. The thickness [m] is their median height unless given.\n\n"
+          "2019, Section IV-A. The thickness [m] is their median height unless given. The centre "
+          "of mass is their mean, at half the thickness. The mass is 0.05 kg: see with_mass.\n\n"
           "Raises ValueError if there are fewer than three points, if they are not finite or lie "
           "on a line, or if the object is not thin.")
       .def_property_readonly("name", &Object::name, "Name in errors and pictures.")
@@ -84,7 +86,7 @@ void bind_object(py::module_& m) {
       .def_property_readonly(
           "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
-      .def_property_readonly("mass", &Object::mass, "Mass [kg].")
+      .def_property_readonly("mass", &Object::mass, "Mass [kg]; 0.05 by default.")
       .def_property_readonly(
           "shapes", &Object::shapes,
           "PlacedShapes in O: prisms over the outline's convex parts, or columns of the "
@@ -143,10 +145,11 @@ void bind_support(py::module_& m) {
            "degrees.\n"
            "slab: thickness of the table top [m]. band_width: width of the band along the edges "
            "where slides may end [m]. friction: coefficient of friction between object and "
-           "support.\n"
+           "support, in [1e-6, 10000].\n"
            "usable_edges: indices of the polygon's edges over which objects may stick out; by "
            "default "
-           "all. Edge i runs from vertex i to the next, counter-clockwise.")
+           "all. Edge i runs from vertex i to the next, counter-clockwise.\n\nRaises ValueError "
+           "that names the argument.")
       .def_property_readonly(
           "polygon", [](const Support& self) { return self.polygon(); },
           "Polygon of the surface in S [m]: Q of the paper.")
