@@ -194,6 +194,3 @@ def write(result: Row, directory: Path) -> None:
     facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
     page = string.Template(template("household")["head"]).substitute(facts)
     (directory / "household.md").write_text(page)
-
-
-__all__ = ["as_result", "as_text", "outcome", "write"]

@@ -213,5 +213,3 @@ CURVES = (
         needs="dask.distributed",
     ),
 )
-
-__all__ = ["CURVES", "Curve", "Done"]

@@ -147,6 +147,3 @@ def tables(rows: list[Row]) -> dict[str, list[Row]]:
             of = [row for row in some if row["noise"] == noise]
             result["noises"].append({**sums(of, f"{noise:g}"), "views": views})
     return result
-
-
-__all__ = ["NAMES", "run", "standing", "tables"]

@@ -55,6 +55,3 @@ def _triangles(shape: object) -> tuple[frames.Matrix, frames.Matrix]:
 def _extent(mesh: geometry.Mesh) -> float:
     points = np.asarray(mesh.vertices)
     return float((points.max(axis=0) - points.min(axis=0)).max())
-
-
-__all__ = ["by_name", "mesh_of", "small"]

@@ -152,6 +152,3 @@ def tables(rows: list[Row]) -> dict[str, list[Row]]:
             sums["p90"] = float(np.percentile([r["seconds"] for r in done], 90)) if done else None
             found.append(sums)
     return {"plans": found}
-
-
-__all__ = ["count", "run", "tables"]

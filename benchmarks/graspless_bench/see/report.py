@@ -202,6 +202,3 @@ def write(result: Row, directory: Path) -> None:
         text += "\n" + string.Template(page[name]).substitute(facts)
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
     (directory / "see.md").write_text(text + "\n" + end)
-
-
-__all__ = ["as_text", "of_holes", "of_outlines", "of_plans", "write"]

@@ -162,6 +162,3 @@ def _is_seen(p: Matrix, frame: perception.Frame) -> bool:
         return False
     around = frame.labels[round(v) - 4 : round(v) + 5, round(u) - 4 : round(u) + 5]
     return bool((around == 0).any() and not (around > 1).any())
-
-
-__all__ = ["run"]

@@ -83,6 +83,3 @@ def _enclosed(free: Any) -> list[Any]:
         if len(u) >= FEWEST:
             regions.append(np.column_stack([u, v]).astype(float))
     return regions
-
-
-__all__ = ["Openings"]

@@ -17,7 +17,7 @@ import numpy as np
 from .. import files, frames
 from ..simulation.robots import compiled, set_positions
 from .fingers import centers
-from .mujoco_scene import FINGER, OBJECT, build
+from .mujoco_scene import OBJECT, build
 from .numbers import numbered
 
 if TYPE_CHECKING:
@@ -59,6 +59,3 @@ def _qpos(model: Any, robot: Robot | None, q: Matrix, X_WO: Matrix) -> Matrix:
     data.qpos[place : place + 7] = frames.to_row(X_WO)
     qpos: Matrix = data.qpos
     return qpos
-
-
-__all__ = ["FINGER", "OBJECT", "text", "write"]

@@ -65,6 +65,3 @@ def keep_other(path: Path, content: bytes, scene: Path) -> Path | None:
         return None
     is_own = scene.is_file() and checksum(path) in scene.read_text(errors="replace")
     return None if is_own else files.set_aside(path)
-
-
-__all__ = ["keep_other", "packed", "read_arrays"]

@@ -201,6 +201,3 @@ def _warn_of_spacing(gaps: sparse.Gaps, K: Matrix) -> None:
         "a voxel grid: outlines may be off by thrice that, and small or thin objects missed, "
         "whatever least_thickness says; give the raw cloud, or smaller voxels"
     )
-
-
-__all__ = ["average", "view_of_cloud", "view_of_organized"]

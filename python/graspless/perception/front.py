@@ -125,6 +125,3 @@ def _each(
         expected = f"{shared}({count}, {size}, {size})"
         raise ValueError(f"{name} has shape {matrices.shape}; it must have shape {expected}")
     return list(matrices)
-
-
-__all__ = ["perceive"]

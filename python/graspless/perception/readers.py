@@ -152,6 +152,3 @@ def _frame_of(source: Any) -> tuple[Matrix, Any]:
     profile = frame.get_profile().as_video_stream_profile()
     depth = np.asarray(frame.get_data()) * float(frame.get_units())
     return depth, matrix_of(profile.get_intrinsics())
-
-
-__all__ = ["is_foreign", "matrix_of", "points_of_message", "view_of"]

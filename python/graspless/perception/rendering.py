@@ -238,6 +238,3 @@ def _is_dark(clean: Image, K: Matrix, noise: Noise, rng: np.random.Generator) ->
         center = points[tuple(hits[rng.integers(len(hits))])]
         lost |= np.linalg.norm(points - center, axis=-1) < noise.dark_radius
     return lost & (clean > 0) & (rng.random(clean.shape) < 0.9)
-
-
-__all__ = ["Frame", "Noise", "look_at", "render"]

@@ -295,6 +295,3 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
         what = "is not the file that belongs to this scene: its points_sha256 differs"
         raise source.error(("points",), what)
     return clouds
-
-
-__all__ = ["SceneFields", "load_scene", "save_scene"]

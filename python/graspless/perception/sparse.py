@@ -133,6 +133,3 @@ def _opposite(depth: Matrix) -> Iterator[tuple[Matrix, Matrix, float]]:
 
     for i, j in _AHEAD:
         yield shifted(i, j), shifted(-i, -j), float(np.hypot(i, j))
-
-
-__all__ = ["Gaps", "Nearest", "bridged", "gaps_of", "nearest_points", "resampled"]

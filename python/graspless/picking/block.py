@@ -214,6 +214,3 @@ def _off(points_B: Matrix, size: Matrix) -> Matrix:
     outside = np.linalg.norm(np.maximum(beyond, 0), axis=1)
     off: Matrix = np.where((beyond < 0).all(axis=1), -beyond.max(axis=1), outside)
     return off
-
-
-__all__ = ["SPACING", "Block", "block_of", "level", "wish_at"]

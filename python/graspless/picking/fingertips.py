@@ -92,6 +92,3 @@ def _frame_at(robot: robots.Robot, link: str, p_W: Matrix, q: Matrix) -> str | N
         if is_fixed and np.linalg.norm(np.asarray(robot.pose(k, q))[:3, 3] - p_W) < SAME:
             return str(name)
     return None
-
-
-__all__ = ["Fingertips", "fingertips_of"]

@@ -97,6 +97,3 @@ def refusal(sway: Sway | None, held: Any, wish: Wish) -> str:
         f"it would hang {np.degrees(sway.askew):.0f} deg askew in the closed hand, and from "
         f"{np.degrees(most):.0f} deg on it falls over when it is put down"
     )
-
-
-__all__ = ["LEVEL", "LITTLE", "Sway", "place_options", "refusal", "sway_of"]

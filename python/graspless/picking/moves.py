@@ -146,6 +146,3 @@ def _towards(what: str, along: Matrix) -> str:
 
 def _away(goal: Block, base: Matrix) -> float:
     return float(np.linalg.norm(np.asarray(goal.X_WB)[:2, 3] - base))
-
-
-__all__ = ["MOVES", "Move", "misplaced", "pushes", "tumbles"]

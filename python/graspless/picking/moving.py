@@ -259,6 +259,3 @@ class Moving:
         thing = {key: value for key, value in first["object"].items() if key != "pose"}
         stages = [moved, {**first, "object": thing}, *others]
         return document | {"stages": stages, "options": {"attempts": ATTEMPTS}}
-
-
-__all__ = ["MOVING", "Moving", "moving_of"]

@@ -168,6 +168,3 @@ def _at_edge(slide: Any) -> Matrix:
     along = (b - a) / np.linalg.norm(b - a)
     foot = a + along * float((X_SO[:2, 3] - a) @ along)
     return np.asarray(np.linalg.inv(edge_frame(edge, foot)) @ X_SO)
-
-
-__all__ = ["edge_frame", "ways_down"]

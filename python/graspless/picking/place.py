@@ -256,6 +256,3 @@ def put_down(target: Target, poses: list[Matrix], grasp: str) -> dict[str, Any]:
 def _moved(ring: Matrix, X: Matrix) -> Matrix:
     moved: Matrix = ring @ X[:2, :2].T + X[:2, 3]
     return moved
-
-
-__all__ = ["MOST", "Target", "put_down", "refusal", "stage_of", "target_of"]

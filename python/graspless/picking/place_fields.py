@@ -73,6 +73,3 @@ def place_of(given: Any) -> Place:
     with told("place"):
         fields: Place = Source("place", in_plain_types(given)).validate(Place)
     return fields
-
-
-__all__ = ["Place", "place_of"]

@@ -128,6 +128,3 @@ class Pick:
             took = f"  ({1000 * a.seconds:.0f} ms)" if a.seconds else ""
             lines.append(f"{self._who(a)}{a.strategy:6} {what}{took}")
         return "\n".join(lines)
-
-
-__all__ = ["FAULTY", "NOT_FOUND", "NOT_TRIED", "REFUSED", "STALE", "Attempt", "Pick"]

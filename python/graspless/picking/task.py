@@ -79,6 +79,3 @@ def read_pick(path: str) -> dict[str, Any] | None:
     for name in budget.keys() - BUDGET:
         raise source.error(("budget", name), f"not for a pick{one_of(name, BUDGET)}")
     return given | budget
-
-
-__all__ = ["PickTask", "read_pick"]

@@ -257,6 +257,3 @@ def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float) -
     limit = {"iterations": SLIDE_ITERATIONS} if stages[-1]["kind"] == "slide" else {}
     budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed, **limit)
     return chain.continued(plan, task, budget)
-
-
-__all__ = ["attempt_plan"]

@@ -26,6 +26,3 @@ def require_ros() -> None:
     except ImportError as error:
         name = (error.name or str(error)).partition(".")[0]
         raise TaskError(f"ros: needs {name} of ROS 2: {HOW}") from None
-
-
-__all__ = ["require_ros"]

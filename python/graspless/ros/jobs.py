@@ -148,6 +148,3 @@ class Found:
     def is_solved(self) -> bool:
         """True if there is a plan that was checked."""
         return self.status == "solved"
-
-
-__all__ = ["CheckJob", "Found", "PickJob", "TaskJob"]

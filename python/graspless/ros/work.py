@@ -232,6 +232,3 @@ def margins_of(plan: Plan) -> list[tuple[str, float]]:
     summary = report.as_dict(plan)
     visit("", {key: value for key, value in summary.items() if key not in ("stats", "proof")})
     return found
-
-
-__all__ = ["done", "main"]

@@ -111,6 +111,3 @@ def joined(moved: Recording, after: Recording, plan: Plan) -> Recording:
         names=[*moved.names, *after.names],
         planned_poses=np.concatenate([moved.planned_poses, after.planned_poses @ X_OO]),
     )
-
-
-__all__ = ["FAILURES", "MEASURES", "Moved", "joined", "move"]

@@ -84,6 +84,3 @@ def build_rays(fields: Rays, source: Source, place: Location) -> geometry.RayIma
         return fields.image(ends)
     except (ValueError, zlib.error, binascii.Error) as error:
         raise source.error((*place, "ends"), str(error)) from None
-
-
-__all__ = ["RayCamera", "Rays", "build_rays", "camera_fields", "rays_fields"]

@@ -146,6 +146,3 @@ def planar_pose(X_WS: Matrix, X_WO: Matrix) -> dict[str, float]:
     X_SO = np.asarray(np.linalg.inv(X_WS) @ X_WO)
     x, y, yaw = X_SO[0, 3], X_SO[1, 3], np.arctan2(X_SO[1, 0], X_SO[0, 0])
     return {"x": float(x), "y": float(y), "yaw": float(yaw)}
-
-
-__all__ = ["RESPECT", "Respect", "load", "named", "obstacles", "planar_pose", "real_edges"]

@@ -109,6 +109,3 @@ def _left(trajectory: Trajectory) -> Matrix:
         left[:, first : last + 1] = 1 - share, -rate, -bend
         left[:, last + 1 :] = 0
     return left
-
-
-__all__ = ["SECONDS", "beyond", "squeezed"]

@@ -285,6 +285,3 @@ def _chain(model: Any, body: int) -> list[int]:
     while found[-1] != 0:
         found.append(int(model.body_parentid[found[-1]]))
     return found
-
-
-__all__ = ["FINGER_GRASPS", "FINGER_SLIDES", "Scene", "build_scene"]

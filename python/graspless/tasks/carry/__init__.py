@@ -107,15 +107,3 @@ def state(problem: carry.Problem, arm: None) -> dict[str, Any]:
         "rests_on": list(problem.rests_on),
         "obstacles": obstacle_fields(problem.obstacles),
     }
-
-
-__all__ = [
-    "SEARCHES",
-    "Fields",
-    "build",
-    "in_force",
-    "options",
-    "require_resolved",
-    "resolve",
-    "state",
-]

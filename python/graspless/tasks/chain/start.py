@@ -238,6 +238,3 @@ def off_place(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> float:
     bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
     left = hangs - stands - sinking(points, X_WO, X_WO_hanging)
     return float(np.linalg.norm(left[bottom, :2], axis=1).max())
-
-
-__all__ = ["Held", "State", "as_pose", "hold_place", "off_place", "sinking", "start_at"]

@@ -137,15 +137,3 @@ def state(problem: clasp.Problem, arm: None) -> dict[str, Any]:
         },
         "obstacles": obstacle_fields(problem.obstacles),
     }
-
-
-__all__ = [
-    "SEARCHES",
-    "Fields",
-    "build",
-    "in_force",
-    "options",
-    "require_resolved",
-    "resolve",
-    "state",
-]

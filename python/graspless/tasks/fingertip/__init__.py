@@ -98,16 +98,3 @@ def state(problem: fingertip.Problem, arm: Arm | None) -> dict[str, Any]:
 
 def _own_friction(plane: fingertip.Plane) -> dict[str, Any]:
     return {} if plane.friction is None else {"friction": list(plane.friction)}
-
-
-__all__ = [
-    "SEARCHES",
-    "Arm",
-    "Fields",
-    "build",
-    "in_force",
-    "options",
-    "require_resolved",
-    "resolve",
-    "state",
-]

@@ -11,7 +11,6 @@ import numpy as np
 
 from ... import geometry
 from ..._core import fingertip, mechanics
-from ...errors import TaskError
 from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..source import at
@@ -182,6 +181,3 @@ def _places(task: model.FingertipTask) -> dict[str, Location]:
 def _with_pose(message: str) -> str:
     """Returns a message that says the number of the pose in words too: a motion has no poses."""
     return re.sub(r"^(motion\.X_WO\[(\d+)\])( to the next)?:", r"\1: at pose \2\3:", message)
-
-
-__all__ = ["TaskError", "build", "build_options"]

@@ -169,6 +169,3 @@ def support_pose(support: model.Support) -> Matrix:
     if support.pose is not None:
         return pose_matrix(support.pose)
     return frames.translation([0.0, 0.0, support.height or 0.0])
-
-
-__all__ = ["resolve", "support_pose"]
