@@ -4,26 +4,28 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from pathlib import Path
 
     from .machine import Row
 
 Column = tuple[str, "Callable[[Row], str]"]
 
 
-def compact(text: str) -> str:
-    """Puts lists of numbers on one line."""
-    lines: list[str] = []
-    for line in text.splitlines():
-        is_number = line.strip().rstrip(",").replace(".", "", 1).replace("e-", "").isdigit()
-        if lines and (is_number or (line.strip() in ("]", "],") and lines[-1][-1].isdigit())):
-            lines[-1] += line.strip()
-        else:
-            lines.append(line)
-    return "\n".join(lines)
+def write_json(result: Row, path: Path) -> None:
+    """Writes a result as JSON, with one line for each item of a list and for each other field."""
+    lines = []
+    for name, value in result.items():
+        text = json.dumps(value, ensure_ascii=False)
+        if isinstance(value, list) and value:
+            items = (json.dumps(item, ensure_ascii=False) for item in value)
+            text = "[\n  " + ",\n  ".join(items) + "\n ]"
+        lines.append(f" {json.dumps(name)}: {text}")
+    path.write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def milliseconds(value: float | None) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, compact
+from ..tables import aligned, write_json
 from . import pictures, tables
 
 if TYPE_CHECKING:
@@ -55,8 +55,7 @@ def as_text(result: Row) -> str:
 def write(result: Row, directory: Path) -> None:
     """Writes clasp_GRID.json and pictures, and clasp.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
-    text = compact(json.dumps(result, indent=1))
-    (directory / f"clasp_{result['grid']}.json").write_text(text + "\n")
+    write_json(result, directory / f"clasp_{result['grid']}.json")
     pictures.draw(result, directory)
     results = {
         grid: json.loads(path.read_text())

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, compact, markdown
+from ..tables import aligned, markdown, write_json
 from .grid import GRIDS, PAPER_MINUTES, REFERENCE_COSTS
 from .run import complaints
 
@@ -57,8 +57,7 @@ def write(result: Row, run: Run, directory: Path) -> None:
     files in the directory.
     """
     directory.mkdir(parents=True, exist_ok=True)
-    text = compact(json.dumps(result, indent=1))
-    (directory / f"fingertip_{result['grid']}.json").write_text(text + "\n")
+    write_json(result, directory / f"fingertip_{result['grid']}.json")
     if result["grid"] == "paper":
         _draw(run, directory)
     results = {

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import json
 import string
 from collections import Counter
 from typing import TYPE_CHECKING, Any
@@ -14,7 +13,7 @@ import numpy as np
 from .. import machine, memory
 from ..pages import circumstances, template
 from ..statistics import wilson
-from ..tables import aligned, markdown
+from ..tables import aligned, markdown, write_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -178,7 +177,7 @@ def _excluded(reasons: Mapping[str, Mapping[str, str]]) -> str:
 
 def write(result: Row, directory: Path) -> None:
     """Writes household.json and household.md into a folder."""
-    (directory / "household.json").write_text(json.dumps(result, indent=1) + "\n")
+    write_json(result, directory / "household.json")
     tables = [
         f"### {_title(setting)}\n\n{markdown(setting['groups'], GROUPS, '')}\n\n{_times(setting)}"
         for setting in result["settings"]

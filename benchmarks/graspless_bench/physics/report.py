@@ -13,7 +13,7 @@ from graspless.simulation import simulation_kind
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, markdown
+from ..tables import aligned, markdown, write_json
 from . import locked, tables
 from .claims import cases as all_cases
 
@@ -84,7 +84,7 @@ def as_text(result: Row) -> str:
 def write(result: Row, directory: Path) -> None:
     """Writes physics_PART.json, and physics.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / f"physics_{result['part']}.json").write_text(_to_json(result))
+    write_json(result, directory / f"physics_{result['part']}.json")
     write_page(directory)
 
 
@@ -167,11 +167,3 @@ def _counts(totals: Row) -> str:
         what = "a plan with its mutants" if totals.get("broken") else what
         parts.append(f"{what} took {totals['median_seconds']:.3g} s (median), {slow}")
     return "; ".join(parts)
-
-
-def _to_json(result: Row) -> str:
-    """Returns JSON with one row per line."""
-    rest = {key: value for key, value in result.items() if key != "rows"}
-    rows = ",\n".join(f"  {json.dumps(row, ensure_ascii=False)}" for row in result["rows"])
-    text = json.dumps(rest, indent=1, ensure_ascii=False)
-    return text.removesuffix("\n}") + f',\n "rows": [\n{rows}\n ]\n}}\n'

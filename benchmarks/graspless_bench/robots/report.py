@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
-import json
 import string
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
 from .. import machine, memory
 from ..pages import circumstances, template
-from ..tables import aligned, compact, markdown, milliseconds
+from ..tables import aligned, markdown, milliseconds, write_json
 from .fleet import PACKAGES
 
 if TYPE_CHECKING:
@@ -69,7 +68,7 @@ def as_text(result: Row) -> str:
 def write(result: Row, directory: Path) -> None:
     """Writes robots.json, and robots.md from it."""
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "robots.json").write_text(compact(json.dumps(result, indent=1)) + "\n")
+    write_json(result, directory / "robots.json")
     page = template("robots")
     reasons = [
         {"name": row["name"], "reason": _short(row["refused"])}

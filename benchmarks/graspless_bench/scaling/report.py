@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-import json
 import string
 from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, compact, markdown, milliseconds
+from ..tables import aligned, markdown, milliseconds, write_json
 from .curves import CURVES
 from .measure import GOOD, exponent
 
@@ -84,7 +83,7 @@ def _named(rows: Sequence[Row]) -> list[Row]:
 def write(result: Row, directory: Path) -> None:
     """Writes scaling.json, scaling.png and scaling.md."""
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "scaling.json").write_text(compact(json.dumps(result, indent=1)) + "\n")
+    write_json(result, directory / "scaling.json")
     _draw(result, directory / "scaling.png")
     page = template("scaling")
     fields = {

@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import machine, memory
 from ..pages import circumstances, template
-from ..tables import aligned, markdown
+from ..tables import aligned, markdown, write_json
 from . import holes, plans
 
 if TYPE_CHECKING:
@@ -188,7 +188,7 @@ def as_text(result: Row) -> str:
 def write(result: Row, directory: Path) -> None:
     """Writes the result as JSON, and see.md from all results there, into a folder."""
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / f"{result['file']}.json").write_text(json.dumps(result, indent=1) + "\n")
+    write_json(result, directory / f"{result['file']}.json")
     paths = {name: directory / f"{name}.json" for name in FILES}
     results = {name: json.loads(p.read_text()) for name, p in paths.items() if p.exists()}
     page = template("see")

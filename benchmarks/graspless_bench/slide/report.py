@@ -4,12 +4,11 @@
 
 from __future__ import annotations
 
-import json
 import math
 from typing import TYPE_CHECKING
 
 from ..statistics import quantile
-from ..tables import aligned, compact
+from ..tables import aligned, write_json
 from . import document
 from .tables import columns
 
@@ -29,8 +28,7 @@ def write(result: Row, directory: Path) -> None:
     name = result["grid"]
     if name == "paper":
         name += f"_{result['search']}"
-    text = json.dumps(result, indent=1)
-    (directory / f"slide_{name}.json").write_text(compact(text) + "\n")
+    write_json(result, directory / f"slide_{name}.json")
     document.write(directory)
 
 

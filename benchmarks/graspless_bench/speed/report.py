@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, compact, markdown, milliseconds, percent
+from ..tables import aligned, markdown, milliseconds, percent, write_json
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -87,8 +87,7 @@ def _unanswered(result: Row) -> list[str]:
 def write(result: Row, directory: Path) -> None:
     """Writes speed_PART.json, and speed.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
-    path = directory / f"speed_{result['bench']}.json"
-    path.write_text(compact(json.dumps(result, indent=1)) + "\n")
+    write_json(result, directory / f"speed_{result['bench']}.json")
     results = {
         part: json.loads(path.read_text())
         for part in PARTS
