@@ -42,10 +42,13 @@ NOT_TEXT = ("mcap", "drake", "rrd")
 
 
 class Format(Protocol):
-    """Interface of the modules of this package."""
+    """Interface of the modules of this package, which have one of the two."""
+
+    def text(self, trajectory: Trajectory) -> str:
+        """Returns the content of a text file."""
 
     def write(self, trajectory: Trajectory, path: Path | str) -> None:
-        """Writes the file, whole or not at all."""
+        """Writes a format of NOT_TEXT, whole or not at all."""
 
 
 def export(
@@ -94,7 +97,10 @@ def export(
     files.check_writable(path)
     _check_ending(path, to)
     trajectory = _timed(plan, to, group, robot=robot, rate=rate, **limits)
-    writer.write(trajectory, path)
+    if to in NOT_TEXT:
+        writer.write(trajectory, path)
+    else:
+        files.write(path, writer.text(trajectory))
     return trajectory
 
 
@@ -112,7 +118,7 @@ def text(
         raise TaskError(
             f"to: {to}: is not text: should have a {'folder' if to == 'drake' else 'file'}"
         )
-    writer: Any = _writer(to)
+    writer = _writer(to)
     trajectory = _timed(plan, to, group, robot=robot, rate=rate, **limits)
     return trajectory, writer.text(trajectory)
 

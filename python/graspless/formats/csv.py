@@ -10,13 +10,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import files, frames
+from .. import frames
 from .fingers import contacts
 from .numbers import numbered, plain
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..timing import Trajectory
 
 POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
@@ -33,11 +31,6 @@ def header(trajectory: Trajectory, fingers: int) -> list[str]:
         *(f"object_{name}" for name in POSE),
         *(f"finger_{i}_{axis}" for i in range(fingers) for axis in "xyz"),
     ]
-
-
-def write(trajectory: Trajectory, path: Path | str) -> None:
-    """Writes the file."""
-    files.write(path, text(trajectory))
 
 
 def text(trajectory: Trajectory) -> str:

@@ -8,20 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import __version__, files, frames
+from .. import __version__, frames
 from .fingers import contacts
 from .json_model import TrajectoryFile
 from .numbers import plain
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..timing import Trajectory
-
-
-def write(trajectory: Trajectory, path: Path | str) -> None:
-    """Writes the file."""
-    files.write(path, text(trajectory))
 
 
 def text(trajectory: Trajectory) -> str:

@@ -14,23 +14,16 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from .. import files, frames
+from .. import frames
 from ..simulation.robots import compiled, set_positions
 from .fingers import centers
 from .mujoco_scene import OBJECT, build
 from .numbers import numbered
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..frames import Matrix
     from ..robot import Robot
     from ..timing import Trajectory
-
-
-def write(trajectory: Trajectory, path: Path | str) -> None:
-    """Writes the file."""
-    files.write(path, text(trajectory))
 
 
 def text(trajectory: Trajectory) -> str:

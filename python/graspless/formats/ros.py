@@ -8,20 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from .. import files
 from ..errors import TaskError
 from . import FORMATS
 from .numbers import plain
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from ..timing import Trajectory
-
-
-def write(trajectory: Trajectory, path: Path | str) -> None:
-    """Writes the file."""
-    files.write(path, text(trajectory))
 
 
 def text(trajectory: Trajectory) -> str:
