@@ -14,8 +14,11 @@ TRAJECTORY = PACKAGE / "trajectory.schema.json"
 
 
 def text() -> str:
-    """The JSON schema of plan files."""
-    return json.dumps(schema(), indent=1) + "\n"
+    """The JSON schema of plan files, with one definition a line."""
+    published = schema()
+    definitions = published.pop("$defs")
+    lines = ",\n".join(f"  {json.dumps({name: d})[1:-1]}" for name, d in definitions.items())
+    return f'{{\n "$defs": {{\n{lines}\n }},\n {json.dumps(published)[1:-1]}\n}}\n'
 
 
 def trajectory_text() -> str:
