@@ -13,20 +13,18 @@ from .. import frames, geometry
 from .._xml import parse
 from ..errors import TaskError
 from ..tasks.meshes import prepare_meshes
-from ..tasks.obstacles import placed_parts
 from ..tasks.robots import robot_meshes
-from ..tasks.shapes import pose_matrix
 from .visuals import UnreadableError, read_visual, warn_once
 
 if TYPE_CHECKING:
     import xml.etree.ElementTree as ET
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
 
     from numpy.typing import NDArray
 
     from .._core.robot import Robot
     from ..frames import Matrix
-    from ..tasks import Task, shapes
+    from ..tasks import Task
     from ..tasks.robots import Robot as RobotFields
 
 Color = tuple[float, float, float]
@@ -127,21 +125,12 @@ def vertices_of(placed: Iterable[tuple[Body, Matrix]]) -> Matrix:
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:
-    """Returns the obstacles with their poses in the world."""
-    fields = fields_of(task)
-    if fields is not None:
-        return obstacle_bodies(fields.obstacles or ())
+    """Returns the obstacles with their poses in the world, without the support of a carry."""
+    fields, known = fields_of(task), task.problem.obstacles
+    count = len(known) if fields is None else len(fields.obstacles or ())  # a support comes last
     return [
         (Body(o.name, [placed_part(placed, OBSTACLE) for placed in o.shapes]), np.asarray(o.X_WB))
-        for o in task.problem.obstacles
-    ]
-
-
-def obstacle_bodies(obstacles: Sequence[shapes.Obstacle]) -> list[tuple[Body, Matrix]]:
-    """Returns the obstacles with their poses in the world."""
-    return [
-        (Body(obstacle.name, _obstacle_parts(obstacle)), pose_matrix(obstacle.pose))
-        for obstacle in obstacles
+        for o in known[:count]
     ]
 
 
@@ -161,31 +150,6 @@ def placed_part(placed: geometry.PlacedShape, color: Color) -> Part:
     else:
         mesh = trimesh.Trimesh(shape.vertices).convex_hull
     return _part(mesh, np.asarray(placed.X_BG), color)
-
-
-def _obstacle_parts(obstacle: shapes.Obstacle) -> list[Part]:
-    if obstacle.parts or obstacle.convex or obstacle.vertices:
-        placed = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
-        return [placed_part(shape, OBSTACLE) for shape in placed]
-    return [_obstacle_part(obstacle)]
-
-
-def _obstacle_part(obstacle: shapes.Obstacle) -> Part:
-    import trimesh
-
-    if obstacle.box is not None:
-        mesh = trimesh.creation.box(obstacle.box)
-    elif obstacle.sphere is not None:
-        mesh = trimesh.creation.uv_sphere(obstacle.sphere.radius, count=(13, 24))
-    elif obstacle.capsule is not None:
-        mesh = _capsule(obstacle.capsule.radius, obstacle.capsule.length)
-    elif obstacle.cylinder is not None:
-        mesh = _cylinder(obstacle.cylinder.radius, obstacle.cylinder.length)
-    else:
-        assert obstacle.mesh is not None
-        read = geometry.read_mesh(obstacle.mesh.file, np.array(obstacle.mesh.scale))
-        return Part(np.asarray(read.vertices), np.asarray(read.triangles), OBSTACLE)
-    return _part(mesh, np.eye(4), OBSTACLE)
 
 
 def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: RobotFields) -> list[Part]:
