@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .clock import number
+from .estimate import MEMORY
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -73,7 +74,7 @@ class Camera:
         seconds, fault = number(age)
         if fault or seconds < -_AHEAD:
             return "bad_age"
-        if seconds > estimate.memory:
+        if seconds > MEMORY:
             return "late"
         taken = t - max(seconds, 0.0)
         if taken <= self._newest:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 GATE = 23.5  # squared Mahalanobis distance that 1 of 10,000 poses exceeds (chi^2, 4 of freedom)
 AGREEING = 3  # successive poses that agree with each other, but not with the estimate: a jump
+MEMORY = 1.0  # largest age of a measurement [s]
 _YAW, _HEIGHT = 2, 3
 _SIZE = 7
 
@@ -77,12 +78,10 @@ class Estimate:
     place : array [3]
         Planned place X_SO: x, y [m] and yaw [rad] in the plane of the support.
     noise : Noise
-    memory : float
-        Largest age of a measurement [s].
     """
 
-    def __init__(self, place: Matrix, noise: Noise, memory: float = 1.0) -> None:
-        self.noise, self.memory = noise, memory
+    def __init__(self, place: Matrix, noise: Noise) -> None:
+        self.noise = noise
         self.mean = np.zeros(_SIZE)
         self.mean[:3] = place
         n = noise
@@ -123,7 +122,7 @@ class Estimate:
             self.covariance[_YAW, _YAW] += self.noise.slip_turn**2 * turn / 0.1
         self._times.append(t)
         self._motions.append(self._moved)
-        while len(self._times) > 2 and self._times[1] < t - self.memory:
+        while len(self._times) > 2 and self._times[1] < t - MEMORY:
             self._times.popleft()
             self._motions.popleft()
 

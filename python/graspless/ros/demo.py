@@ -33,7 +33,7 @@ LIFTED = 0.05  # height that counts [m]
 _PATIENCE = 60.0  # for each step [s]
 
 
-def demo(arguments: Sequence[str], speed: float = 1.0) -> int:
+def demo(arguments: Sequence[str]) -> int:
     """Starts a simulated robot and the node, picks up a bar, and prints what goes over ROS.
 
     Nothing leaves this computer: discovery is limited to it, in a domain of its own.
@@ -44,7 +44,7 @@ def demo(arguments: Sequence[str], speed: float = 1.0) -> int:
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         file = Path(folder) / "node.yaml"
         file.write_text(yaml.safe_dump({"/**": {"ros__parameters": parameters()}}))
-        stack.enter_context(process("fake-robot", "-p", f"speed:={speed}"))
+        stack.enter_context(process("fake-robot"))
         stack.enter_context(process("node", "--params-file", str(file)))
         rclpy.init(args=["demo", *arguments])
         stack.callback(rclpy.try_shutdown)
@@ -53,11 +53,11 @@ def demo(arguments: Sequence[str], speed: float = 1.0) -> int:
         return FOUND if Transcript(node, began).run() else NOT_FOUND
 
 
-def parameters(robot: str = "wam_t42") -> dict[str, Any]:
+def parameters() -> dict[str, Any]:
     """Returns the parameters of the node for the simulated robot."""
     from .fake_world import World
 
-    world = World(robot, ())
+    world = World("wam_t42", ())
     given: dict[str, Any] = {"use_sim_time": True, "controllers": ["arm", "hand"]}
     for group in ("arm", "hand"):
         given[group] = {

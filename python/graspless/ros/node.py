@@ -55,14 +55,12 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
 
     Parameters
     ----------
-    name : str
-        Name of the node.
     **given
         Arguments of `rclpy.node.Node`.
     """
 
-    def __init__(self, name: str = "graspless", **given: Any) -> None:
-        super().__init__(name, **given)
+    def __init__(self, **given: Any) -> None:
+        super().__init__("graspless", **given)
         parameters.declare(self)
         self.declare_parameter("autostart", True)
         self.settings: Settings

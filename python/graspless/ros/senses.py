@@ -160,10 +160,10 @@ class Camera:
         with self._lock:
             self._newest.clear()
 
-    def age(self, now: float, what: str = "image") -> float | None:
-        """Returns the age of the newest message [s]; None without any."""
+    def age(self, now: float) -> float | None:
+        """Returns the age of the newest image [s]; None without any."""
         with self._lock:
-            message = self._newest.get(what)
+            message = self._newest.get("image")
         return None if message is None else now - seconds_of(message.header.stamp)
 
     def look(

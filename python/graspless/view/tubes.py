@@ -45,15 +45,11 @@ def ball(center: ArrayLike, radius: float, color: Color) -> Part:
     return Part(np.asarray(mesh.vertices) + np.asarray(center), np.asarray(mesh.faces), color)
 
 
-def smooth(points: ArrayLike, closed: bool = False) -> Matrix:
-    """Returns a smoothed polyline, for drawing only."""
+def smooth(points: ArrayLike) -> Matrix:
+    """Returns a smoothed closed polyline, for drawing only."""
     p = np.asarray(points, dtype=float)
     for _ in range(2):
-        before, after = np.roll(p, 1, axis=0), np.roll(p, -1, axis=0)
-        q = 0.25 * before + 0.5 * p + 0.25 * after
-        if not closed:
-            q[0], q[-1] = p[0], p[-1]
-        p = q
+        p = 0.25 * np.roll(p, 1, axis=0) + 0.5 * p + 0.25 * np.roll(p, -1, axis=0)
     return p
 
 

@@ -118,9 +118,7 @@ def _prepare(
     return Running(world.model, world.data, lambda: world.object_pose, steps())
 
 
-def held_locked(
-    plan: Plan, q: Matrix, seeds: Sequence[list[int]], settings: Clasp | None = None
-) -> tuple[bool, float]:
+def held_locked(plan: Plan, q: Matrix, seeds: Sequence[list[int]]) -> tuple[bool, float]:
     """Tests a hand that does not move: its motors are locked at a configuration.
 
     Parameters
@@ -131,8 +129,6 @@ def held_locked(
         Configuration of all joints [rad or m].
     seeds : list of list of int
         One for each sequence of random wrenches; each starts with the object as in the task.
-    settings : Clasp, optional
-        Instead of those for the load of the task.
 
     Returns
     -------
@@ -141,7 +137,7 @@ def held_locked(
     float
         Least virtual linking of a finger at the start.
     """
-    world = make_world(plan.task, Variation(), settings or _settings(plan))
+    world = make_world(plan.task, Variation(), _settings(plan))
     set_positions(world.model, world.data, plan.task.problem.robot, q)
     world.data.ctrl[:] = q
     execution = execution_of(plan, world, None)

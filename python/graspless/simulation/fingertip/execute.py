@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from .script import Script
     from .world import World
 
+EVERY = 10  # steps between looks
+
 
 @dataclass
 class Log:
@@ -62,7 +64,7 @@ class Commands(Protocol):
         """Sets the engine's controls for moment i."""
 
 
-def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -> Log:
+def execute(world: World, script: Script, servo: Commands) -> Log:
     """Executes a script, one moment per step; stops when the object is lost.
 
     Parameters
@@ -73,18 +75,14 @@ def execute(world: World, script: Script, servo: Commands, *, every: int = 10) -
         At even times, a time step of the world's apart.
     servo : Commands
         Of this world and script.
-    every : int
-        Steps between looks.
     """
     log = Log()
-    for _ in steps(world, script, servo, log, every=every):
+    for _ in steps(world, script, servo, log):
         pass
     return log
 
 
-def steps(
-    world: World, script: Script, servo: Commands, log: Log, *, every: int = 10
-) -> Iterator[str]:
+def steps(world: World, script: Script, servo: Commands, log: Log) -> Iterator[str]:
     """Does what `execute` does, and logs it; yields the stage before each physics step."""
     slides = None
     size = float(np.ptp(world.hull, axis=0).max())
@@ -96,7 +94,7 @@ def steps(
         yield script.names[script.stage[i]]
         limits.poll()
         mujoco.mj_step(world.model, world.data)
-        if i % every == 0:
+        if i % EVERY == 0:
             look(world, script, i, log)
             if not log.errors[-1] < size:
                 break

@@ -45,7 +45,7 @@ def loop_bodies(plan: Plan) -> list[Body]:
             f"loop {k}",
             [
                 tube(
-                    smooth(loop.points, closed=True),
+                    smooth(loop.points),
                     1.4 * radius if k == plan.loop else radius,
                     CLASPED if k == plan.loop else LOOP,
                     closed=True,
