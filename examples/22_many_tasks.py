@@ -33,7 +33,7 @@ def write_tasks(folder: Path, count: int) -> None:
     random = np.random.default_rng(1)
     for seed in range(count):
         pose = random.uniform([0.48, -0.22, -np.pi], [0.82, 0.22, np.pi])
-        (folder / f"card_{seed:04}.yaml").write_text(TASK.format(*pose, seed))
+        (folder / f"card_{seed:04}.yaml").write_text(TASK.format(*pose, seed), encoding="utf-8")
 
 
 if len(sys.argv) == 3:

@@ -16,9 +16,12 @@ from blocks import ROOT, blocks
 
 def sources() -> dict[str, str]:
     """Text of each script, notebook and block, by a name that may be a module's."""
-    found = {f"example_{path.stem}": path.read_text() for path in ROOT.glob("examples/*.py")}
+    found = {
+        f"example_{path.stem}": path.read_text(encoding="utf-8")
+        for path in ROOT.glob("examples/*.py")
+    }
     for path in ROOT.glob("examples/*.ipynb"):
-        cells = json.loads(path.read_text())["cells"]
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
         found[f"notebook_{path.stem}"] = "\n\n".join(code) + "\n"
     readme = [block for block in blocks(ROOT / "README.md") if block.language == "python"]
@@ -28,7 +31,7 @@ def sources() -> dict[str, str]:
 def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         for name, text in sources().items():
-            pathlib.Path(folder, f"{name}.py").write_text(text)
+            pathlib.Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
         # A block of the README may use what the text around it names.
         quiet = ["--disable-error-code=name-defined", "--no-error-summary"]
         command = [sys.executable, "-m", "mypy", "--config-file", "pyproject.toml", *quiet, folder]

@@ -184,7 +184,9 @@ def shrunk(drawn: Image.Image, text: str) -> bytes:
 
 def write_page() -> None:
     """Writes docs/gallery.md."""
-    (DOCS / "gallery.md").write_text(HEAD + "".join(entry(name) for name in names()))
+    (DOCS / "gallery.md").write_text(
+        HEAD + "".join(entry(name) for name in names()), encoding="utf-8"
+    )
 
 
 PICTURES = {

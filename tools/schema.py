@@ -27,5 +27,5 @@ def trajectory_text() -> str:
 
 
 if __name__ == "__main__":
-    TARGET.write_text(text())
-    TRAJECTORY.write_text(trajectory_text())
+    TARGET.write_text(text(), encoding="utf-8")
+    TRAJECTORY.write_text(trajectory_text(), encoding="utf-8")

@@ -33,7 +33,7 @@ def main() -> None:
         path = pathlib.Path(name)
         if path.parts[0] in ("tests", "bindings") or not path.exists():
             continue  # tables
-        text = path.read_text()
+        text = path.read_text(encoding="utf-8")
         lines = text.count("\n")
         if lines > LINES[path.suffix]:
             print(f"over budget: {name} has {lines} lines ({LINES[path.suffix]})")

@@ -27,7 +27,7 @@ def write_stubs(root: pathlib.Path) -> None:
         for stub, text in made_stubs(module).items():
             path = root / folder / stub
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+            path.write_text(text, encoding="utf-8")
 
 
 def made_stubs(module: str) -> dict[str, str]:
@@ -41,7 +41,7 @@ def made_stubs(module: str) -> dict[str, str]:
 
 def with_names(stub: pathlib.Path) -> str:
     """Text of a stub, with enums and paths as type checkers want them."""
-    text = with_enum_members(stub.read_text())
+    text = with_enum_members(stub.read_text(encoding="utf-8"))
     text = text.replace("os.PathLike | str | bytes", "os.PathLike[str] | str")
     if stub.stem == "fingertip":  # which has a Search of its own
         text = text.replace("graspless._core.slide.Search", "Search")

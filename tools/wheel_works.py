@@ -27,7 +27,7 @@ def main() -> int:
     faults = slide.check(problem, plan) if plan else [plan.reason]
     for fault in faults[:5]:
         print(fault)
-    maps = pathlib.Path("/proc/self/maps").read_text().split()
+    maps = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8").split()
     libraries = sorted({name for name in maps if ".so" in name})
     own = [name for name in libraries if name.startswith(str(package.parent))]
     print(f"{plan.status.name} in {plan.statistics.seconds:.3f} s by {package}")

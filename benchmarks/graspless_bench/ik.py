@@ -160,7 +160,7 @@ def ssik(name: str, urdf: str) -> Iterator[Solver]:
     else:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "arm.urdf"
-            path.write_text(urdf)
+            path.write_text(urdf, encoding="utf-8")
             arm, title = module.Manipulator.from_urdf(path), "ssik, from URDF"
 
     def rows(found: Any) -> Array:

@@ -14,7 +14,7 @@ _SELF = Path("/proc/self")
 def reset_peak() -> bool:
     """Resets peak_bytes(). Returns False if the kernel does not allow it."""
     try:
-        (_SELF / "clear_refs").write_text("5")
+        (_SELF / "clear_refs").write_text("5", encoding="utf-8")
     except OSError:
         return False
     return True
@@ -31,7 +31,7 @@ def resident_bytes() -> int:
 
 def _status(field: str) -> int:
     try:
-        text = (_SELF / "status").read_text()
+        text = (_SELF / "status").read_text(encoding="utf-8")
     except OSError:
         return 0
     found = re.search(rf"^{field}:\s+(\d+) kB", text, re.MULTILINE)

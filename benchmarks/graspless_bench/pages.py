@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @functools.cache
 def template(page: str) -> dict[str, str]:
     """Returns the sections of a template by name. `head` is the text before the first."""
-    text = (Path(__file__).parent / page / "page.md.template").read_text()
+    text = (Path(__file__).parent / page / "page.md.template").read_text(encoding="utf-8")
     head, *parts = re.split(r"^<!-- (\w+) -->\n", text, flags=re.MULTILINE)
     return {"head": head.rstrip() + "\n"} | {
         name: body.rstrip() + "\n" for name, body in zip(parts[::2], parts[1::2], strict=True)

@@ -25,7 +25,7 @@ def write_json(result: Row, path: Path) -> None:
             items = (json.dumps(item, ensure_ascii=False) for item in value)
             text = "[\n  " + ",\n  ".join(items) + "\n ]"
         lines.append(f" {json.dumps(name)}: {text}")
-    path.write_text("{\n" + ",\n".join(lines) + "\n}\n")
+    path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
 
 
 def milliseconds(value: float | None) -> str:

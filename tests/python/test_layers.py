@@ -36,6 +36,18 @@ def room(path):
     return parts[1] if parts[0] == "src" else parts[2]
 
 
+@pytest.mark.parametrize("folder", ["python", "benchmarks", "tools", "examples"])
+def test_no_text_file_depends_on_the_locale(folder):
+    encoding = {"read_text": 0, "write_text": 1}  # place among the arguments
+    for path in (ROOT / folder).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            name = getattr(node.func, "attr", "") if isinstance(node, ast.Call) else ""
+            if name in encoding:
+                given = {keyword.arg for keyword in node.keywords}
+                has_one = "encoding" in given or len(node.args) > encoding[name]
+                assert has_one, f"{path}:{node.lineno}: {name} without encoding"
+
+
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(ROOT)))
 def test_includes_only_rooms_below(path):
     own = room(path)

@@ -58,7 +58,7 @@ def write(result: Row, directory: Path) -> None:
     write_json(result, directory / f"clasp_{result['grid']}.json")
     pictures.draw(result, directory)
     results = {
-        grid: json.loads(path.read_text())
+        grid: json.loads(path.read_text(encoding="utf-8"))
         for grid in GRID_NAMES
         if (path := directory / f"clasp_{grid}.json").exists()
     }
@@ -67,4 +67,4 @@ def write(result: Row, directory: Path) -> None:
     for grid, found in results.items():
         text += "\n" + string.Template(page[grid]).substitute(tables.fields(found))
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "clasp.md").write_text(text + "\n" + end)
+    (directory / "clasp.md").write_text(text + "\n" + end, encoding="utf-8")

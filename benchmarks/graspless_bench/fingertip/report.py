@@ -61,7 +61,7 @@ def write(result: Row, run: Run, directory: Path) -> None:
     if result["grid"] == "paper":
         _draw(run, directory)
     results = {
-        grid: json.loads(path.read_text())
+        grid: json.loads(path.read_text(encoding="utf-8"))
         for grid in GRIDS
         if (path := directory / f"fingertip_{grid}.json").exists()
     }
@@ -70,7 +70,7 @@ def write(result: Row, run: Run, directory: Path) -> None:
         text += "\n" + string.Template(template("fingertip")[grid]).substitute(_fields(found))
     end = string.Template(template("fingertip")["circumstances"])
     text += "\n" + end.substitute(circumstances(results.values()))
-    (directory / "fingertip.md").write_text(text)
+    (directory / "fingertip.md").write_text(text, encoding="utf-8")
 
 
 def _draw(run: Run, directory: Path) -> None:

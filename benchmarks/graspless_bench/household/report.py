@@ -192,4 +192,4 @@ def write(result: Row, directory: Path) -> None:
     }
     facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
     page = string.Template(template("household")["head"]).substitute(facts)
-    (directory / "household.md").write_text(page)
+    (directory / "household.md").write_text(page, encoding="utf-8")

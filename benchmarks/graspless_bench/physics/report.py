@@ -91,7 +91,7 @@ def write(result: Row, directory: Path) -> None:
 def write_page(directory: Path) -> None:
     """Writes physics.md from the physics_PART.json there."""
     results = {
-        name: json.loads(path.read_text())
+        name: json.loads(path.read_text(encoding="utf-8"))
         for name in PARTS
         if (path := directory / f"physics_{name}.json").exists()
     }
@@ -100,7 +100,7 @@ def write_page(directory: Path) -> None:
     for name, found in results.items():
         text += "\n" + string.Template(page[name]).substitute(_fields(found))
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "physics.md").write_text(text + "\n" + end)
+    (directory / "physics.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
 def _tables(result: Row) -> dict[str, tables.Table]:

@@ -88,7 +88,7 @@ def write(result: Row, directory: Path) -> None:
         "licences": markdown(licences, [("licence", lambda r: r["licence"])], "package"),
     }
     text = page["head"] + "\n" + page["fleet"]
-    (directory / "robots.md").write_text(string.Template(text).substitute(fields))
+    (directory / "robots.md").write_text(string.Template(text).substitute(fields), encoding="utf-8")
 
 
 def _short(text: str) -> str:

@@ -151,7 +151,7 @@ def _planned(**workers: Any) -> Done:
         for number in range(TASKS):
             motion = {"tumble": {"over": "+x", "segments": 60 + number}}
             document = grid.cork() | {"motion": motion}
-            (tasks / f"{number:02}.yaml").write_text(json.dumps(document))
+            (tasks / f"{number:02}.yaml").write_text(json.dumps(document), encoding="utf-8")
         summary = batch(tasks, Path(folder) / "plans", **workers)
     return Done("solved" if summary.held == TASKS else "not_all", summary.seconds)
 

@@ -92,7 +92,7 @@ def write(result: Row, directory: Path) -> None:
     }
     text = string.Template(page["head"]).substitute(fields)
     end = string.Template(page["circumstances"]).substitute(circumstances([result]))
-    (directory / "scaling.md").write_text(text + "\n" + end)
+    (directory / "scaling.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
 def _draw(result: Row, path: Path) -> None:

@@ -190,7 +190,9 @@ def write(result: Row, directory: Path) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"{result['file']}.json")
     paths = {name: directory / f"{name}.json" for name in FILES}
-    results = {name: json.loads(p.read_text()) for name, p in paths.items() if p.exists()}
+    results = {
+        name: json.loads(p.read_text(encoding="utf-8")) for name, p in paths.items() if p.exists()
+    }
     page = template("see")
     text = page["head"]
     for name, found in results.items():
@@ -201,4 +203,4 @@ def write(result: Row, directory: Path) -> None:
         facts |= {"scenes": str(found["scenes"]), "meshes": str(len(found.get("meshes", ())))}
         text += "\n" + string.Template(page[name]).substitute(facts)
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "see.md").write_text(text + "\n" + end)
+    (directory / "see.md").write_text(text + "\n" + end, encoding="utf-8")

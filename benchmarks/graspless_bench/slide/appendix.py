@@ -23,7 +23,7 @@ def parts(results: Results, directory: Path) -> dict[str, str] | None:
     path = directory / "parts.json"
     if not path.exists():
         return None
-    found = json.loads(path.read_text())
+    found = json.loads(path.read_text(encoding="utf-8"))
     rows = [
         {"name": what, "median": _duration(*found[name])}
         for name, what in PARTS.items()

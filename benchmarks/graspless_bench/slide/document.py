@@ -43,7 +43,10 @@ if TYPE_CHECKING:
 
 def write(directory: Path) -> None:
     """Writes slide.md and the pictures of the existing results."""
-    results = {path.stem: json.loads(path.read_text()) for path in directory.glob("slide_*.json")}
+    results = {
+        path.stem: json.loads(path.read_text(encoding="utf-8"))
+        for path in directory.glob("slide_*.json")
+    }
     makers = {
         "paper": _paper,
         "reconfiguration": _reconfiguration,
@@ -58,7 +61,7 @@ def write(directory: Path) -> None:
         fields = make(results, directory)
         if fields is not None:
             text.append(string.Template(template("slide")[name]).substitute(fields))
-    (directory / "slide.md").write_text("\n".join(text))
+    (directory / "slide.md").write_text("\n".join(text), encoding="utf-8")
 
 
 def _paper(results: Results, directory: Path) -> dict[str, str] | None:

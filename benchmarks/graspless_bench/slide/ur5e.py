@@ -44,7 +44,7 @@ def robot() -> robots.Robot:
     path = _data.robot("wam_t42")
     assert path is not None
     arm = robots.Description(urdf=arm_urdf())
-    hand = robots.Description(urdf=path.read_text(), directory=str(path.parent))
+    hand = robots.Description(urdf=path.read_text(encoding="utf-8"), directory=str(path.parent))
     joined = robots.join(arm, hand, "l7", root="hand_base")
     found = robots.inspect(robots.Robot.from_urdf(joined.urdf), name="ur5e_t42")
     return found.robot

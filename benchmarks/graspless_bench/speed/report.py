@@ -89,7 +89,7 @@ def write(result: Row, directory: Path) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"speed_{result['bench']}.json")
     results = {
-        part: json.loads(path.read_text())
+        part: json.loads(path.read_text(encoding="utf-8"))
         for part in PARTS
         if (path := directory / f"speed_{part}.json").exists()
     }
@@ -103,7 +103,7 @@ def write(result: Row, directory: Path) -> None:
         }
         text += "\n" + string.Template(page[part]).substitute(fields)
     end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "speed.md").write_text(text + "\n" + end)
+    (directory / "speed.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
 def _tables(result: Row) -> Mapping[str, tuple[list[Row], list[Column]]]:

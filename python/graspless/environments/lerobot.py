@@ -13,6 +13,7 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from .. import files
 from . import video
 from .env import RATE
 
@@ -93,8 +94,8 @@ def write(env: PlanEnv, takes: Sequence[Path], sentence: str, folder: Path) -> N
     tasks = pa.table({"task_index": pa.array([0]), "task": pa.array([sentence])})
     labels = {"pandas": json.dumps(_LABELS)}
     pq.write_table(tasks.replace_schema_metadata(labels), folder / "meta/tasks.parquet")
-    (folder / "meta/info.json").write_text(json.dumps(info, indent=2))
-    (folder / "meta/stats.json").write_text(json.dumps(stats, indent=2))
+    files.write(folder / "meta/info.json", json.dumps(info, indent=2))
+    files.write(folder / "meta/stats.json", json.dumps(stats, indent=2))
 
 
 def _columns(episodes: list[Columns], lengths: list[int]) -> Columns:

@@ -63,5 +63,7 @@ def keep_other(path: Path, content: bytes, scene: Path) -> Path | None:
     """
     if not path.is_file() or path.read_bytes() == content:
         return None
-    is_own = scene.is_file() and checksum(path) in scene.read_text(errors="replace")
+    is_own = scene.is_file() and checksum(path) in scene.read_text(
+        encoding="utf-8", errors="replace"
+    )
     return None if is_own else files.set_aside(path)

@@ -43,7 +43,8 @@ def demo(arguments: Sequence[str]) -> int:
     os.environ.setdefault("ROS_DOMAIN_ID", str(random.SystemRandom().randint(1, 101)))
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         file = Path(folder) / "node.yaml"
-        file.write_text(yaml.safe_dump({"/**": {"ros__parameters": parameters()}}))
+        text = yaml.safe_dump({"/**": {"ros__parameters": parameters()}})
+        file.write_text(text, encoding="utf-8")
         stack.enter_context(process("fake-robot"))
         stack.enter_context(process("node", "--params-file", str(file)))
         rclpy.init(args=["demo", *arguments])

@@ -204,9 +204,7 @@ def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool 
         return build_task(fields, source, other)
 
 
-def task_from_dict(
-    document: Any, file: str, resolve: bool = False, *, fields: Any = None
-) -> Task:
+def task_from_dict(document: Any, file: str, resolve: bool = False, *, fields: Any = None) -> Task:
     """Returns the task of a document in plain types.
 
     Parameters
