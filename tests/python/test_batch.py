@@ -153,6 +153,15 @@ def test_copied_tasks_with_their_robot_are_not_planned_anew(here, tasks, tmp_pat
     assert graspless.batch(tmp_path / "copy", output).kept == 0
 
 
+def test_names_of_files_may_be_any_bytes(here, tasks, tmp_path):
+    folder = tasks("card")
+    odd = os.fsdecode(b"caf\xe9")
+    shutil.copy(folder / "card.yaml", folder / f"{odd}.yaml")
+    assert graspless.batch(folder, tmp_path / "plans").held == 2
+    assert rows_of(tmp_path / "plans").keys() == {"card", odd}
+    assert graspless.batch(folder, tmp_path / "plans").kept == 2
+
+
 def test_bad_tasks_among_good_ones(here, tasks, tmp_path, capsys):
     folder, output = tasks("a", "b"), tmp_path / "out"
     (folder / "bad.yaml").write_text(changed("thickness: 0.004", "thickness: -1"))

@@ -9,7 +9,6 @@
 
 from __future__ import annotations
 
-import json
 import time
 from concurrent.futures import CancelledError
 from pathlib import Path
@@ -216,7 +215,7 @@ class _Run:
         if summary.is_complete:
             others = [row for name, row in self.before.items() if name not in self.done]
             manifest.rewrite(self.manifest, others + rows)
-        text = json.dumps(summary.as_dict(), indent=1, ensure_ascii=False) + "\n"
+        text = manifest.encoded(summary.as_dict(), indent=1)
         files.write(self.output / "summary.json", text)
         return summary
 

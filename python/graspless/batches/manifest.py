@@ -57,7 +57,7 @@ class Log:
 
     def add(self, row: Row) -> None:
         """Writes a row at once, so that no result is lost; raises TaskError."""
-        self._write(_line(row).encode())
+        self._write(encoded(row))
 
     def _write(self, data: bytes) -> None:
         try:
@@ -81,8 +81,10 @@ def opened(path: Path) -> Iterator[Log]:
 
 def rewrite(path: Path, rows: Iterable[Row]) -> None:
     """Rewrites all rows, atomically: the last act of the one who has the file opened."""
-    files.write(path, "".join(map(_line, rows)))
+    files.write(path, b"".join(map(encoded, rows)))
 
 
-def _line(row: Row) -> str:
-    return json.dumps(row, ensure_ascii=False) + "\n"
+def encoded(row: Row, indent: int | None = None) -> bytes:
+    """Returns a row as JSON in UTF-8. Names of files that are not UTF-8 become escapes."""
+    text = json.dumps(row, ensure_ascii=False, indent=indent) + "\n"
+    return text.encode(errors="backslashreplace")
