@@ -297,6 +297,14 @@ def test_full_stdout_is_told_in_one_line(shell, command):
     assert "Traceback" not in err
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "latin-1"])
+def test_names_that_stdout_cannot_write_become_escapes(shell, encoding):
+    line = f"PYTHONIOENCODING={encoding}:strict graspless plan task.yaml -o $'\u03a9\\xe9.json'"
+    code, out, err = shell(line)
+    assert (code, err) == (0, "")
+    assert out.endswith("\\udce9.json\n")
+
+
 def test_files_are_written_though_the_reader_has_gone(shell):
     pytest.importorskip("matplotlib")
     code, _, err = shell("graspless plan task.yaml --png a.png | true")
