@@ -132,6 +132,9 @@ def test_cloud_without_a_hole_exits_1(tmp_path, monkeypatch, capsys):
         (["purse.xyz", "--unit", "inch"], "invalid choice: 'inch'"),
         (["purse.xyz", "--points", "-1"], "--points: -1: should be at least 1"),
         (["purse.xyz", "--points", "100"], "--points: 100: only for meshes (.stl, .obj, .off)"),
+        (["purse.xyz", "--points", "99999999999"], "--points: 99999999999: should be at most"),
+        (["purse.xyz", "--seed", "-1"], "--seed: -1: should not be negative"),
+        (["purse.xyz", "--threads", "9999999999"], "--threads: 9999999999: should be at most 256"),
         (["s.yaml", "--object", "a", "--unit", "mm"], "--unit: mm: not for scene files"),
     ],
 )

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 MESHES = (".stl", ".obj", ".off")
 SCENES = (".yaml", ".yml")
-POINTS = 2000  # sampled on a mesh
+POINTS, MOST_POINTS = 2000, 10**7  # sampled on a mesh
+MOST_THREADS = 256
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -101,7 +102,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.max_edge_length is not None:
         asked.max_edge_length = options.max_edge_length
     asked.polish = options.polish
-    asked.threads = options.threads
+    asked.threads = require_integer("--threads", options.threads, least=1, most=MOST_THREADS)
     try:
         found = geometry.shortest_loops(cloud, asked, rays)
     except ValueError as error:
@@ -127,7 +128,8 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
             else f"--object: {options.object}: only for objects of a scene file (.yaml)"
         )
     count = POINTS if options.points is None else options.points
-    require_integer("--points", count, least=1)
+    require_integer("--points", count, least=1, most=MOST_POINTS)
+    require_integer("--seed", options.seed, least=0, most=2**64 - 1)
     if options.points is not None and Path(options.file).suffix.lower() not in MESHES:
         raise TaskError(f"--points: {count}: only for meshes ({', '.join(MESHES)})")
     if not is_scene:
