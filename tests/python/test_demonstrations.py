@@ -125,6 +125,8 @@ def test_an_interrupted_recording_goes_on(tmp_path, monkeypatch, recorded):
     folder, episodes = recorded
     seeds = recorder(monkeypatch, lambda _: True, {2: episodes[2]})
 
+    (tmp_path / "a.part").mkdir()  # of a run that was interrupted at once
+
     def interrupt(held, tried):
         raise KeyboardInterrupt
 

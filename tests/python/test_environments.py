@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Gymnasium's checker passes; the planner's actions hold, and others do not."""
 
+import dataclasses
 import os
 import sys
 
@@ -147,7 +148,7 @@ def test_bad_input_is_told(monkeypatch):
         graspless.environments.PlanEnv("Throw")
     env = made("Pick")
     env.reset(seed=2)
-    for bad in (np.full(len(env.joint_names), np.nan), np.zeros(3)):
+    for bad in (np.full(len(env.joint_names), np.nan), np.full(8, np.inf), np.zeros(3)):
         with pytest.raises(TaskError, match="action: .*: should be 8 finite numbers"):
             env.step(bad)
     episode(env, 2, lambda env: env.expert())
@@ -157,6 +158,25 @@ def test_bad_input_is_told(monkeypatch):
     monkeypatch.setattr(env, "_draw", lambda _: task)
     with pytest.raises(TaskError, match="20 tasks in a row have no plan"):
         env.reset(seed=2)
+
+
+def test_without_an_episode_a_reset_is_asked_for():
+    env = made("Pick", render_mode="rgb_array")
+    still = np.zeros(len(env.joint_names))
+    for use in (lambda: env.step(still), env.expert, env.render):
+        with pytest.raises(TaskError, match="no episode has begun: should be reset first"):
+            use()
+    env.reset(seed=2)
+
+    def interrupted():
+        raise KeyboardInterrupt
+        yield
+
+    env._episode = dataclasses.replace(env._episode, steps=interrupted())
+    with pytest.raises(KeyboardInterrupt):
+        env.step(still)
+    with pytest.raises(TaskError, match="should be reset first"):
+        env.step(still)
 
 
 def test_without_gymnasium_its_extra_is_named(monkeypatch):

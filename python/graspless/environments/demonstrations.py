@@ -111,10 +111,10 @@ class _Takes:
     def __init__(self, env: PlanEnv, folder: Path, settings: dict[str, Any]) -> None:
         self._env, self.folder = env, folder
         note = folder / "settings.json"
-        if not folder.exists():
-            folder.mkdir()
+        files.make_folder(folder)
+        if not any(folder.iterdir()):
             files.write(note, json.dumps(settings))
-        found = json.loads(note.read_text()) if note.is_file() else None
+        found = json.loads(note.read_text(encoding="utf-8")) if note.is_file() else None
         if found != settings:
             raise TaskError(
                 f"{folder}: has episodes of other settings, {found}: should be removed, or the "

@@ -88,6 +88,8 @@ class PlanEnv(gymnasium.Env[Any, Any]):
             raise TaskError(f"render_mode: {render_mode}: should be None or rgb_array")
         self.render_mode = render_mode
         self._painter: Painter | None = None
+        self._episode: Running | None = None
+        self._trial: Trial | None = None
         self._draw, self._phases, self._varied = DRAWS[name], PHASES[name], varied
         self._prepare(np.random.default_rng(0))
         dof = len(self.joint_names)
@@ -104,20 +106,21 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """Draws a task, plans it and puts the robot at its start; returns observation and info."""
         super().reset(seed=seed)
+        self._episode = None
         self._prepare(self.np_random)
         variation = Variation()
         kind: Any = simulation_kind(self.plan.kind)
         if self._varied:
             variation = draw_variation(self.np_random, getattr(kind, "SPREAD", None))
         self.close()
-        self._running: Running = kind.start(self.plan, variation)
+        self._episode = kind.start(self.plan, variation)
         self._every = max(1, round(1 / RATE / self._running.model.opt.timestep))
         joints = [self._running.model.joint(name) for name in self.joint_names]
         self._qpos = np.array([joint.qposadr[0] for joint in joints])
         self._qvel = np.array([joint.dofadr[0] for joint in joints])
         self._goal = frames.to_row(timing.time(self.plan).object_poses[-1])
         self._phase, self._began = next(self._running.steps), 0.0
-        self._trial: Trial | None = None
+        self._trial = None
         return self._observation(), {"phase": self._phase}
 
     def step(
@@ -126,19 +129,24 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         """Holds an action for 0.02 s; returns observation, reward, if it has ended, and info."""
         if self._trial is not None:
             raise TaskError("step: the episode has ended: should be reset first")
-        given = np.clip(np.asarray(action, dtype=float), -1.0, 1.0)
+        running = self._running
+        given = np.asarray(action, dtype=float)
         if given.shape != self.action_space.shape or not np.isfinite(given).all():
             raise TaskError(f"action: {given}: should be {len(self.joint_names)} finite numbers")
-        command = self.action_low + (given + 1) / 2 * (self.action_high - self.action_low)
+        share = (np.clip(given, -1.0, 1.0) + 1) / 2
+        command = self.action_low + share * (self.action_high - self.action_low)
         for _ in range(self._every):
-            self._running.data.ctrl[:] = command
+            running.data.ctrl[:] = command
             try:
-                phase = next(self._running.steps)
+                phase = next(running.steps)
             except StopIteration as end:
                 self._trial = end.value
                 break
+            except BaseException:  # after which there are no more steps, as after Ctrl-C
+                self._episode = None
+                raise
             if phase != self._phase:
-                self._phase, self._began = phase, float(self._running.data.time)
+                self._phase, self._began = phase, float(running.data.time)
         has_ended = self._trial is not None
         reward = float(has_ended and bool(self._trial))
         return self._observation(), reward, has_ended, False, self._info()
@@ -163,6 +171,12 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         if self._painter is not None:
             self._painter.close()
         self._painter = None
+
+    @property
+    def _running(self) -> Running:
+        if self._episode is None:
+            raise TaskError("no episode has begun: should be reset first")
+        return self._episode
 
     def _prepare(self, random: np.random.Generator) -> None:
         """Draws tasks until one has a plan."""
