@@ -193,3 +193,13 @@ def test_a_misspelt_parameter_is_an_error(alone, name, reason):
     with pytest.raises(TaskError, match=re.escape(reason)) if reason else nullcontext():
         settings.read(node)
     node.destroy_node()
+
+
+def test_a_parameter_of_another_type_is_told(alone, capfd):
+    overrides = [Parameter("controllers", value=["arm"]), Parameter("arm.joints", value="elbow")]
+    node = GrasplessNode("typed", context=alone.context, parameter_overrides=overrides)
+    try:
+        assert not node.start()
+    finally:
+        node.destroy_node()
+    assert "'arm.joints' to 'elbow'" in capfd.readouterr().err

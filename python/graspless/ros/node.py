@@ -23,7 +23,7 @@ from tf2_msgs.msg import TFMessage
 from trajectory_msgs.msg import JointTrajectory
 from visualization_msgs.msg import MarkerArray
 
-from ..errors import TaskError, explain
+from ..errors import explain
 from . import settings as parameters
 from .controllers import Controllers
 from .diagnostics import age_status, controllers_status, goals_status
@@ -114,13 +114,14 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         """
         try:
             self.settings = parameters.read(self)
-        except TaskError as error:
-            self.get_logger().error(str(error))
+            self._workers.warm_up()
+            self._hear()
+            self._speak()
+            self._serve()
+        except Exception as error:  # rclpy would not say what it was
+            self.get_logger().error(explain(error))
+            self.close()
             return TransitionCallbackReturn.FAILURE
-        self._workers.warm_up()
-        self._hear()
-        self._speak()
-        self._serve()
         return super().on_configure(state)
 
     def on_activate(self, state: Any) -> Any:
