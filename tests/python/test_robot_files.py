@@ -315,6 +315,7 @@ def test_join_writes_urdf_and_srdf(folder, capsys, monkeypatch):
             "did you mean 'my_arm'? (one of: my_arm)",
         ),
         (["--mount", "tool", "-o", "none/joined.urdf"], "there is no folder none"),
+        (["--mount", "tool", "--xyz", "0", "nan", "0"], "gripper.pose.position[1]: nan: should be"),
     ],
 )
 def test_join_refuses(folder, capsys, monkeypatch, arguments, message):

@@ -69,6 +69,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _join(options: argparse.Namespace) -> int:
+    from pydantic import create_model
+
     from .. import files
     from ..tasks import robots, source
     from ..tasks.robot_files import find_urdf, resolve_robot
@@ -82,8 +84,8 @@ def _join(options: argparse.Namespace) -> int:
         files.check_writable(path)
         files.check_writable(srdf)
     given = source.Source("robot join", {"robot": _fields(options)}, is_trusted=options.trust)
-    robot = robots.Robot.model_validate(given.data["robot"])
-    resolved, _ = resolve_robot(robot, given, Path())
+    asked = given.validate(create_model("Asked", robot=(robots.Robot, ...)))
+    resolved, _ = resolve_robot(asked.robot, given, Path())
     built = robots.build_robot(resolved, given)
     if options.package:
         parts = (options.arm, options.gripper)
