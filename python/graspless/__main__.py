@@ -49,9 +49,7 @@ def prepare() -> None:
     from . import _commands
 
     gc.set_threshold(100_000)  # imports make many objects and hardly any garbage
-    if (
-        sys.stdout is not None
-    ):  # names may have letters that the terminal lacks, and files any bytes
+    if sys.stdout is not None:  # names may have letters that the terminal lacks, or be any bytes
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     _commands.ends_with_command = True
 
