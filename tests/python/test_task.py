@@ -15,8 +15,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import graspless
-from graspless import TaskError, _data, frames, slide
-from graspless.tasks import task_from_dict
+from graspless import TaskError, _data, carry, clasp, fingertip, frames, pinch, slide
+from graspless.tasks import _copied, task_from_dict
 from graspless.tasks.clouds import read_cloud
 from graspless.tasks.reading import parse_yaml
 from graspless.tasks.slide import model
@@ -635,6 +635,31 @@ def test_changes_of_the_search(write):
     assert task.seed == 3
     with pytest.raises(TaskError, match="seconds"):
         task.with_changes(seconds=-1)
+
+
+def test_a_task_keeps_the_options_that_it_was_made_with(write):
+    task = graspless.load_task(write(GOOD))
+    options = task.options
+    options.lift_height = 0.3
+    other = graspless.Task.of(task.problem, options)
+    options.lift_height = 0.2
+    assert (task.options.lift_height, other.options.lift_height) == (0.08, 0.3)
+    assert other.to_dict()["options"]["lift_height"] == 0.3
+    with pytest.raises(AttributeError):
+        task.options = options
+
+
+@pytest.mark.parametrize("room", [slide, pinch, fingertip, clasp, carry])
+def test_options_of_a_task_are_whole_copies(room):
+    options = room.Options(max_memory=1e9)
+    for name in ("compliance", "stability"):  # options within options
+        if hasattr(options, name):
+            inner = getattr(options, name)
+            setattr(inner, inner.fields()[0].name, 3)
+    copy = _copied(options)
+    assert repr(copy) == repr(options) != repr(room.Options())
+    copy.max_memory = 2e9
+    assert options.max_memory == 1e9
 
 
 def test_fields_of_a_hand_are_those_of_the_core():

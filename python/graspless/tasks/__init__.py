@@ -33,19 +33,8 @@ PlanT = TypeVar("PlanT", default=Any)
 class Task(Generic[ProblemT, OptionsT, PlanT]):
     """A problem with options and budget: read from a task file, or made of a problem by `Task.of`.
 
-    Immutable. Two tasks are equal if their files are, and they may be pickled; both need a problem
-    that a task file can state.
-
-    Attributes
-    ----------
-    problem : slide.Problem, pinch.Problem, fingertip.Problem, ..., chain.Problem
-        What is given.
-    options : slide.Options, pinch.Options, fingertip.Options, ..., chain.Options
-        Settings of the search.
-    budget : planning.Budget
-        Time and randomness.
-    arm : tasks.fingertip.Arm or None
-        Robot of a fingertip task.
+    Immutable: `with_changes` and `with_options` return other tasks. Two tasks are equal if their
+    files are, and they may be pickled; both need a problem that a task file can state.
     """
 
     def __init__(
@@ -58,9 +47,30 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         fields: Any = None,
         source: Source | None = None,
     ) -> None:
-        self.problem, self.options, self.budget, self.arm = problem, options, budget, arm
+        self._problem, self._options = problem, _copied(options)
+        self._budget, self._arm = budget, arm
         self.source = source or Source("task", {})
         self._fields = fields
+
+    @property
+    def problem(self) -> ProblemT:
+        """Problem of the task's kind: slide.Problem, pinch.Problem, ..., chain.Problem."""
+        return self._problem
+
+    @property
+    def options(self) -> OptionsT:
+        """Settings of the search; a copy, so that a plan keeps those that it was made with."""
+        return _copied(self._options)
+
+    @property
+    def budget(self) -> planning.Budget:
+        """Time and randomness."""
+        return self._budget
+
+    @property
+    def arm(self) -> Any:
+        """Robot of a fingertip task, a tasks.fingertip.Arm; otherwise None."""
+        return self._arm
 
     @classmethod
     def of(
@@ -76,12 +86,18 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         Parameters
         ----------
         problem : slide.Problem, pinch.Problem, fingertip.Problem, clasp.Problem or carry.Problem
+            Problem of any kind but chain.
         options : slide.Options, ..., optional
-            Settings of the search.
+            Settings of the search, of the problem's kind. The task keeps a copy.
         budget : planning.Budget, optional
-            Time and randomness.
+            Time and randomness. By default 10 s and seed 1.
         arm : tasks.fingertip.Arm, optional
             Robot that carries the fingertips.
+
+        Raises
+        ------
+        TaskError
+            `problem` is no Problem.
         """
         problem_kind(problem)  # raises unless it is one
         if options is None:
@@ -127,7 +143,24 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         iterations: int | None = None,
         seed: int | None = None,
     ) -> Task[ProblemT, OptionsT, PlanT]:
-        """Returns the task with other options or budget. None keeps a value."""
+        """Returns the task with another search or budget; None keeps a value.
+
+        Parameters
+        ----------
+        search : str, optional
+            Search algorithm, by its name in the task file: "paper" or "fast".
+        seconds : float, optional
+            Limit of time [s], finite and above 0.
+        iterations : int, optional
+            Largest number of iterations of the search.
+        seed : int, optional
+            Seed of all random numbers, from 0 to 2^64 - 1.
+
+        Raises
+        ------
+        TaskError
+            A value is out of its range, or the kind has no such search.
+        """
         from .documents import in_plain_types
 
         if (search, seconds, iterations, seed) == (None, None, None, None):
@@ -144,7 +177,14 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         return self._changed(budget, {"search": search})
 
     def with_options(self, **options: Any) -> Task[ProblemT, OptionsT, PlanT]:
-        """Returns the task with other options of the search, by their names in the task file."""
+        """Returns the task with other options of the search, by their names in the task file.
+
+        Raises
+        ------
+        TaskError
+            There is no such option, a value is out of its range, or no task file can state the
+            problem.
+        """
         from .documents import in_plain_types
 
         return self._changed({}, in_plain_types(options))
@@ -247,6 +287,17 @@ def build_task(fields: Any, source: Source, other: Source) -> Task:
     kind: TaskKind = part("tasks", fields.kind)
     limit_reading(build_budget(fields.budget, source).seconds)
     return _with_search(fields, kind.build(fields, source, other), source)
+
+
+def _copied(options: OptionsT) -> OptionsT:
+    """Returns a copy of options, of the core or of a chain."""
+    given: Any = options
+    if hasattr(given, "model_copy"):
+        return given.model_copy()  # type: ignore[no-any-return]
+    if not hasattr(given, "fields"):
+        return options  # for the planner to refuse
+    values = {field.name: getattr(given, field.name) for field in given.fields()}
+    return type(given)(**values)  # type: ignore[no-any-return]
 
 
 def _is_plan(text: str) -> bool:
