@@ -13,8 +13,6 @@ from ._core import geometry
 from .errors import TaskError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from numpy.typing import ArrayLike, NDArray
 
     Matrix = NDArray[np.float64]
@@ -46,21 +44,22 @@ def translation(p_AB: ArrayLike) -> Matrix:
     return X_AB
 
 
-def transform(X_AB: Matrix, p_BP: Matrix) -> Matrix:
-    """Returns points in A; (N, 3) [m].
+def transform(X_AB: ArrayLike, p_BP: ArrayLike) -> Matrix:
+    """Returns points in A, [N, 3] or [3] as given [m].
 
     Parameters
     ----------
     X_AB : array [4, 4]
         Pose of B in A.
-    p_BP : array [N, 3]
+    p_BP : array [N, 3] or [3]
         Points in B [m].
     """
-    return np.asarray(p_BP @ X_AB[:3, :3].T + X_AB[:3, 3])
+    X = np.asarray(X_AB, dtype=float)
+    return np.asarray(np.asarray(p_BP, dtype=float) @ X[:3, :3].T + X[:3, 3])
 
 
 def planar(x: float, y: float, yaw: float) -> Matrix:
-    """Returns the 4 x 4 pose at x, y and yaw in the plane z = 0 [m, m, rad]."""
+    """Returns the 4 x 4 pose at x, y [m] and yaw [rad] in the plane z = 0."""
     return translation([x, y, 0.0]) @ from_rpy([0.0, 0.0, yaw])
 
 
@@ -80,9 +79,13 @@ def from_rpy(rpy: ArrayLike) -> Matrix:
     return X_AB
 
 
-def to_rpy(X_AB: Matrix) -> Matrix:
-    """Returns roll, pitch and yaw [3] of a 4 x 4 pose, as in URDF [rad]."""
-    R = X_AB[:3, :3]
+def to_rpy(X_AB: ArrayLike) -> Matrix:
+    """Returns roll, pitch and yaw [3] of a 4 x 4 pose, as in URDF [rad].
+
+    The pitch lies in [-pi/2, pi/2]. At its ends, where only roll - yaw or roll + yaw is defined,
+    the yaw is 0.
+    """
+    R = np.asarray(X_AB, dtype=float)[:3, :3]
     level = float(np.hypot(R[0, 0], R[1, 0]))
     pitch = np.arctan2(-R[2, 0], level)
     if level < 1e-9:
@@ -117,8 +120,11 @@ def to_row(X_AB: ArrayLike) -> list[float]:
     return [*X[:3, 3].tolist(), *to_quaternion(X).tolist()]
 
 
-def from_row(row: Sequence[float]) -> Matrix:
-    """Returns the 4 x 4 pose of a row of `to_row`."""
+def from_row(row: ArrayLike) -> Matrix:
+    """Returns the 4 x 4 pose of a row of `to_row`.
+
+    Raises TaskError unless there are seven numbers.
+    """
     X_AB: Matrix = from_rows([row])[0]
     return X_AB
 
@@ -130,32 +136,46 @@ def to_rows(poses: ArrayLike) -> Matrix:
 
 
 def from_rows(rows: ArrayLike) -> Matrix:
-    """Returns the poses [N, 4, 4] of the rows of `to_rows`."""
-    given = np.asarray(rows, dtype=float).reshape(-1, 7)
+    """Returns the poses [N, 4, 4] of the rows of `to_rows`.
+
+    Raises TaskError unless each has seven numbers.
+    """
+    given = np.asarray(rows, dtype=float)
+    if given.size and given.shape[1:] != (7,):
+        raise TaskError(f"rows: shape {given.shape}: should be (N, 7)")
+    given = given.reshape(-1, 7)
     poses = from_quaternion(given[:, 3:])
     poses[:, :3, 3] = given[:, :3]
     return poses
 
 
-def angle(X_A: Matrix, X_B: Matrix) -> float:
+def angle(X_A: ArrayLike, X_B: ArrayLike) -> float:
     """Returns the angle between the orientations of two poses [4, 4], from 0 to pi [rad]."""
     w = abs(float(to_quaternion(np.linalg.inv(X_A) @ X_B)[0]))
     return 2 * float(np.arccos(w)) if w < 1 - 1e-15 else 0.0
 
 
-def between(X_A: Matrix, X_B: Matrix, t: float) -> Matrix:
-    """Interpolates between two poses [4, 4]: X_A at t = 0, X_B at t = 1, positions linearly."""
-    a, b = to_quaternion(X_A), to_quaternion(X_B)
+def between(X_A: ArrayLike, X_B: ArrayLike, t: float) -> Matrix:
+    """Interpolates between two poses [4, 4]: X_A at t = 0, X_B at t = 1, positions linearly.
+
+    Orientations by the normalised sum of quaternions, the shorter way round.
+    """
+    first, last = np.asarray(X_A, dtype=float), np.asarray(X_B, dtype=float)
+    a, b = to_quaternion(first), to_quaternion(last)
     b = -b if a @ b < 0 else b
-    p = (1 - t) * X_A[:3, 3] + t * X_B[:3, 3]
+    p = (1 - t) * first[:3, 3] + t * last[:3, 3]
     return translation(p) @ from_quaternion((1 - t) * a + t * b)
 
 
-def along(poses: Matrix, rows: Matrix) -> Matrix:
-    """Interpolates poses [N, 4, 4] at fractional `rows` [M], such as 2.25; returns [M, 4, 4]."""
-    before = np.floor(rows).astype(int).clip(0, len(poses) - 1)
-    after = np.minimum(before + 1, len(poses) - 1)
-    return mixed(places(poses), before, after, np.clip(rows - before, 0.0, 1.0))
+def along(poses: ArrayLike, rows: ArrayLike) -> Matrix:
+    """Interpolates poses [N, 4, 4] as `between` does, at fractional `rows` [M], such as 2.25.
+
+    Returns [M, 4, 4]. Rows before 0 and beyond N - 1 give the first and the last pose.
+    """
+    given, at = np.asarray(poses, dtype=float), np.asarray(rows, dtype=float)
+    before = np.floor(at).astype(int).clip(0, len(given) - 1)
+    after = np.minimum(before + 1, len(given) - 1)
+    return mixed(places(given), before, after, np.clip(at - before, 0.0, 1.0))
 
 
 def places(poses: Matrix) -> tuple[Matrix, Matrix]:
