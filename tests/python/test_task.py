@@ -678,6 +678,18 @@ def test_poses_survive_their_row(rpy, position):
     np.testing.assert_allclose(X[:3, :3] @ X[:3, :3].T, np.eye(3), atol=1e-14)
 
 
+def test_poses_may_be_lists():
+    X = frames.translation([1, 2, 3]) @ frames.from_rpy([0.1, 0.2, 0.3])
+    pose = X.tolist()
+    np.testing.assert_allclose(frames.transform(pose, [[0, 0, 0]]), [[1, 2, 3]])
+    np.testing.assert_allclose(frames.to_rpy(pose), [0.1, 0.2, 0.3])
+    np.testing.assert_allclose(frames.between(np.eye(4).tolist(), pose, 0.5)[:3, 3], [0.5, 1, 1.5])
+    np.testing.assert_allclose(frames.along([np.eye(4), X], [-1, 2]), [np.eye(4), X])
+    assert frames.angle(pose, pose) == 0
+    with pytest.raises(TaskError, match=r"rows: shape \(1, 6\): should be \(N, 7\)"):
+        frames.from_row(pose[0] + [0, 0])
+
+
 names = st.text("abc_", min_size=1, max_size=3)
 values = st.recursive(
     st.integers(-5, 5) | st.booleans() | st.text("xyz: -#'\"", max_size=4),

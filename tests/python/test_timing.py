@@ -4,6 +4,7 @@
 
 import copy
 import json
+import pickle
 import re
 
 import numpy as np
@@ -51,6 +52,32 @@ def test_time_runs_through_every_segment_in_order(name):
             np.testing.assert_allclose(
                 trajectory.positions[mine][-1], segment.positions[-1], atol=settings.TOLERANCE
             )
+
+
+@pytest.mark.parametrize("name", ["slide", "clasp", "carried", "push"])
+def test_trajectory_survives_a_pickle(name):
+    trajectory = timed(name)
+    again = pickle.loads(pickle.dumps(trajectory))
+    assert again.plan == trajectory.plan
+    assert [(type(s), s.name) for s in again.segments] == [
+        (type(s), s.name) for s in trajectory.segments
+    ]
+    for what in ("times", "segment_index", "rows", "positions", "velocities", "object_poses"):
+        np.testing.assert_array_equal(getattr(again, what), getattr(trajectory, what))
+    assert again.joint_names == trajectory.joint_names
+    assert copy.deepcopy(trajectory).names == trajectory.names
+
+
+def test_trajectory_equals_itself_alone():
+    trajectory = timed("push")
+    assert trajectory in {trajectory}
+    assert trajectory != trajectory.at(trajectory.times)
+
+
+@pytest.mark.parametrize("times", [[], float("nan"), [[0.0, 1.0]]])
+def test_trajectory_at_no_times(times):
+    with pytest.raises(TaskError, match="times: .*should be one or more finite numbers"):
+        timed("push").at(times)
 
 
 def near_contact(plan, segment, positions):
@@ -342,12 +369,8 @@ def test_the_timed_motion_passes_the_plan_s_own_check():
     moved.segments = segments
     moved.tube = slide.Tube()  # its rows are others
     options = plan.task.options
-    height = options.lift_height
-    try:
-        options.lift_height = height - settings.TOLERANCE  # its corners are rounded
-        faults = slide.check(plan.task.problem, moved, options)
-    finally:
-        options.lift_height = height
+    options.lift_height -= settings.TOLERANCE  # its corners are rounded
+    faults = slide.check(plan.task.problem, moved, options)
     # Poses between rows are interpolated, and follow the contact less exactly than rows do.
     assert [fault for fault in faults if "does not follow the contact" not in fault] == []
 

@@ -140,9 +140,9 @@ class Settings:
             require_within(name, getattr(self, name), least, most)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Target:
-    """Answer of a follower.
+    """Answer of a follower. It equals only itself.
 
     Attributes
     ----------

@@ -83,9 +83,9 @@ class Noise:
         return Noise(0, 0, 0, flying=0, grazing=math.pi / 2, dark_patches=0)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frame:
-    """A depth image with its camera, and the truth about it.
+    """A depth image with its camera, and the truth about it. It equals only itself.
 
     Attributes
     ----------

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from .variation import Variation
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Recording:
-    """Recorded motion, at even times.
+    """Recorded motion, at even times. It equals only itself.
 
     Attributes
     ----------

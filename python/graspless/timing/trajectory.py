@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -35,9 +35,11 @@ def robot_of(plan: Any) -> Robot | None:
     return robot
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Trajectory:
     """A timed plan: positions of joints and object at N samples.
+
+    It may be copied and pickled if its plan may. It equals only itself.
 
     Attributes
     ----------
@@ -73,6 +75,12 @@ class Trajectory:
     def __repr__(self) -> str:
         what = ", ".join(dict.fromkeys(self.names))
         return f"<Trajectory of {len(self)} samples, {self.duration:.2f} s: {what}>"
+
+    def __reduce__(self) -> Any:
+        # Segments of the core cannot be pickled: they are those of the plan.
+        own = {field.name: getattr(self, field.name) for field in fields(self)}
+        del own["segments"]
+        return _restored, (own,)
 
     def __len__(self) -> int:
         return len(self.times)
@@ -116,8 +124,13 @@ class Trajectory:
         return [str(self.segments[i].name) for i in self.segment_index]
 
     def at(self, times: ArrayLike) -> Trajectory:
-        """Returns the trajectory at other `times` [s], interpolated linearly; its ends are held."""
+        """Returns the trajectory at other `times` [s], interpolated linearly; its ends are held.
+
+        Raises TaskError unless there is at least one, and all are finite.
+        """
         asked = np.atleast_1d(np.asarray(times, dtype=float))
+        if asked.ndim > 1 or not asked.size or not np.isfinite(asked).all():
+            raise TaskError(f"times: {asked}: should be one or more finite numbers")
         last = len(self.times) - 1
         after = np.searchsorted(self.times, asked).clip(min(1, last), last)
         before = np.maximum(after - 1, 0)
@@ -173,6 +186,15 @@ class Trajectory:
     def sampled(self, rate: float) -> Trajectory:
         """Returns at most 1e6 samples of the trajectory, `rate` per second and one at its end."""
         return self.at(Rate(require_positive("rate", rate)).times(self.duration))
+
+
+def _restored(own: dict[str, Any]) -> Trajectory:
+    """Returns the trajectory of its fields but `segments`."""
+    segments: list[Any] = []
+    for stage in stages_of(own["plan"]):
+        is_carried = stage.kind == "fingertip" and own["joint_names"]
+        segments += stage.joint_segments if is_carried else stage.segments
+    return Trajectory(segments=segments, **own)
 
 
 def _mix(values: Matrix, before: NDArray[np.int64], after: NDArray[np.int64], t: Matrix) -> Matrix:
