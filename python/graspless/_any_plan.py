@@ -26,9 +26,12 @@ Self = TypeVar("Self", bound="AnyPlan")
 class AnyPlan:
     """Base of slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
 
-    False unless solved. Two plans are equal if their files are. Numbers are those of the file: a
+    False unless solved. Two plans are equal if their files are. They may be copied and pickled, not
+    hashed. Numbers are those of the file: a
     plan that is saved and loaded is equal, bit by bit. To change a plan, assign to its attributes:
-    a change inside of one, such as `plan.statistics.iterations = 0`, may not reach the file.
+    arrays are
+    copies, and a change inside of another one, such as `plan.statistics.iterations = 0`, may not
+    reach the file.
     """
 
     kind: ClassVar[str]
@@ -75,11 +78,23 @@ class AnyPlan:
         ----------
         path : str or Path
             Name of the file, by custom .json.
+
+        Raises
+        ------
+        TaskError
+            The file cannot be written, or the plan was made for a problem that no task file can
+            state.
         """
         files.write(path, self.to_json())
 
     def plot(self) -> Figure:
-        """Returns the picture of the plan as a figure of matplotlib."""
+        """Returns the picture of the plan as a figure of matplotlib.
+
+        Raises
+        ------
+        TaskError
+            A solved plan has no rows to draw, or a package of `graspless[view]` is missing.
+        """
         return view.figure(self._any)
 
     def show(self) -> None:
@@ -116,7 +131,7 @@ class AnyPlan:
         assert isinstance(other, AnyPlan)
         if (self._fields(), self.proof) != (other._fields(), other.proof):
             return False
-        return bool(self.task == other.task)
+        return bool(self._task == other._task)
 
     __hash__ = None  # type: ignore[assignment]
 

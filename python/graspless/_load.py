@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from ._arguments import require_path
+from .errors import TaskError, should_be
+from .kinds import KINDS
 from .tasks import Task, read_task, task_from_dict
 from .tasks.kind import is_problem
 from .tasks.reading import read_text
@@ -49,11 +51,19 @@ def load_task(path: str | Path, kind: str | None = None, *, trust: bool = False)
     trust : bool
         Let its xacro files read any file and run code, see docs/security.md.
 
+    Returns
+    -------
+    Task
+        For `plan`.
+
     Raises
     ------
     TaskError
-        A ValueError whose lines read ``file:line: field: value: what it may be``.
+        A ValueError whose lines read ``file:line: field: value: what it may be``; or the task is
+        of another kind, or there is no such kind.
     """
+    if kind is not None and kind not in KINDS:
+        raise TaskError(f"kind: {kind}: {should_be(kind, KINDS)}")
     task = read_task(read_text(path), str(path), Path(path).resolve().parent, trust=trust)
     if kind is not None and task.kind != kind:
         raise task.source.error(("kind",), f"should be '{kind}'")

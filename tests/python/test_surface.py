@@ -167,6 +167,11 @@ def test_plans_and_tasks_are_pickled_copied_and_compared(plan):
     assert json.loads(other.to_json())["reason"] == "another"
 
 
+def test_plans_without_a_task_are_compared():
+    assert slide.Plan() == slide.Plan()
+    assert slide.Plan() != clasp.Plan()
+
+
 def test_plans_cross_processes(plan):
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         assert pool.apply(graspless.check, [plan]) == []
@@ -196,6 +201,8 @@ def test_the_kind_of_a_task_file_can_be_demanded():
     assert graspless.load_task(path, "slide").kind == "slide"
     with pytest.raises(TaskError, match=r"01_slide_card.yaml:\d+: kind: slide: should be 'clasp'"):
         graspless.load_task(path, "clasp")
+    with pytest.raises(TaskError, match="^kind: clap: .*; did you mean 'clasp'"):
+        graspless.load_task(path, "clap")
 
 
 def test_what_no_task_file_can_state_is_told(tmp_path):
