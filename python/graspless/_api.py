@@ -143,9 +143,14 @@ def plan(
     task : Task, Problem of any planner, dict, str or Path
         A task; a problem made in Python; the fields of a task file, also of numpy; or its name.
     search : str, optional
-        Instead of the task's: "paper" or "fast", of a fingertip task also "dijkstra".
-    seconds, iterations, seed : optional
-        Instead of the task's budget [s].
+        Search algorithm instead of the task's: "paper" or "fast" of a slide, and also "dijkstra" of
+        a fingertip task. The other kinds have one algorithm and refuse a name.
+    seconds : float, optional
+        Limit of time instead of the task's, finite and above 0 [s].
+    iterations : int, optional
+        Largest number of iterations instead of the task's.
+    seed : int, optional
+        Seed instead of the task's, from 0 to 2^64 - 1.
     budget : planning.Budget, optional
         Instead of all three; another thread may stop() it.
     certify : bool

@@ -41,8 +41,10 @@ class Plan(AnyPlan, _core.Plan):
 
 
 def plan(problem: Problem, options: Options | None = None, budget: Budget | None = None) -> Plan:
-    """Plans a motion of the arm that takes the object along a straight line to its goal, or puts
-    it down at the first of its places that works.
+    """Plans a motion of the arm with the held object.
+
+    The object moves along a straight line to its goal, or is put down at the first of its places
+    that works.
 
     Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
     KeyboardInterrupt, budget.stop() returns the best so far.
@@ -50,10 +52,16 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     Parameters
     ----------
     problem : Problem
+        Robot, held object, and its goal or places.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default `Options()`. The plan keeps a copy of them.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default 10 s and seed 1.
+
+    Returns
+    -------
+    Plan
+        False unless solved: `status` and `reason` then say why.
 
     Raises
     ------

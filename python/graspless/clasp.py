@@ -176,10 +176,16 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     Parameters
     ----------
     problem : Problem
+        Robot, hand and object.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default `Options()`. The plan keeps a copy of them.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default 10 s and seed 1.
+
+    Returns
+    -------
+    Plan
+        False unless solved: `status` and `reason` then say why.
 
     Raises
     ------
@@ -212,9 +218,9 @@ def resume(
     X_WO : (4, 4) array
         Measured pose of the object in the world.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default those of the plan, or `Options()`.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default that of the plan, or 10 s.
 
     Returns
     -------

@@ -59,8 +59,8 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
 
     The object counts as a prism over its outline, or is as high as its heights. The fingers close
     along the support on two opposite faces, of the outline or of a wall of the heights; the hand
-    comes from above or from a side. Among all hand poses, those that need
-    the least friction and are nearest to the centre of mass are tried first.
+    comes from above or from a side. Among all hand poses, those that need the least friction and
+    are nearest to the centre of mass are tried first.
 
     Not finding a plan is a status. Other Python threads run meanwhile; Ctrl-C raises
     KeyboardInterrupt, budget.stop() returns the best so far.
@@ -68,10 +68,16 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     Parameters
     ----------
     problem : Problem
+        Robot, hand, object and support.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default `Options()`. The plan keeps a copy of them.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default 10 s and seed 1.
+
+    Returns
+    -------
+    Plan
+        False unless solved: `status` and `reason` then say why.
 
     Raises
     ------

@@ -104,7 +104,7 @@ def inspect(
     Raises
     ------
     ValueError
-        There is no hand, or there are several and `palm` is not given.
+        There is no hand, or there are several and `palm` is not given; or the file cannot be read.
     """
     from .inspection.build import propose
     from .tasks.robots import stem

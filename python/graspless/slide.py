@@ -82,10 +82,16 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     Parameters
     ----------
     problem : Problem
+        Robot, hand, object and support.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default `Options()`. The plan keeps a copy of them.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default 10 s and seed 1.
+
+    Returns
+    -------
+    Plan
+        False unless solved: `status` and `reason` then say why.
 
     Raises
     ------
@@ -117,8 +123,8 @@ def resume(
 
     - off_support: the object is more than 20 mm or 10 degrees off the plane of the support.
     - contact_lost: the fingertip is above the object, beside it, nearer to its outline than
-      options.rim_margin, or where its heights are not level; or q is too far from all
-      configurations that press.
+      options.rim_margin or to the support's edge than options.tip_margin, or where its heights
+      are not level; or q is too far from all configurations that press.
     - start_in_collision: something touches that should not.
 
     Parameters
@@ -133,9 +139,10 @@ def resume(
         Pose of the object in the world that is tried first as the goal, before other poses over
         the same edge and those over other edges. By default, the goal of the interrupted plan.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default those of the plan, or `Options()`.
     budget : planning.Budget, optional
-        Time and randomness. In a loop, a few tens of milliseconds.
+        Time and randomness; by default that of the plan, or 10 s. In a loop, a few tens of
+        milliseconds.
 
     Returns
     -------
@@ -184,9 +191,9 @@ def restart(
     X_WO : (4, 4) array
         Measured pose of the object in the world.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default those of the plan, or `Options()`.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default that of the plan, or 10 s.
 
     Returns
     -------

@@ -104,7 +104,15 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[np.float32], dict[str, Any]]:
-        """Draws a task, plans it and puts the robot at its start; returns observation and info."""
+        """Draws a task, plans it and puts the robot at its start; returns observation and info.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Seed of the tasks and variations from here on; otherwise they go on as they are.
+        options : dict, optional
+            Ignored; Gymnasium asks for it.
+        """
         super().reset(seed=seed)
         self._episode = None
         self._prepare(self.np_random)

@@ -179,10 +179,16 @@ def plan(problem: Problem, options: Options | None = None, budget: Budget | None
     Parameters
     ----------
     problem : Problem
+        Object, motion, fingers and planes.
     options : Options, optional
-        Settings of the search.
+        Settings of the search; by default `Options()`. The plan keeps a copy of them.
     budget : planning.Budget, optional
-        Time and randomness.
+        Time and randomness; by default 10 s and seed 1.
+
+    Returns
+    -------
+    Plan
+        False unless solved: `status` and `reason` then say why.
 
     Raises
     ------

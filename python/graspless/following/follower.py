@@ -46,6 +46,7 @@ class Follower(Pursuit):
     plan : slide.Plan, str or Path
         Solved plan, or the path of its file.
     settings : Settings, optional
+        By default `Settings()`.
     max_velocity, max_acceleration, max_jerk, contact_speed
         Limits, as of `graspless.time`. Half of each acceleration limit is kept for bends. The
         targets are means over the time in which the jerk can turn an acceleration round.

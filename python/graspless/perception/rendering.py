@@ -108,7 +108,10 @@ class Frame:
     clean: Image
 
     def save(self, path: str | Path) -> None:
-        """Writes an .npz file with the arrays depth, K, X_WC, labels and clean."""
+        """Writes the arrays depth, K, X_WC, labels and clean to an .npz file at `path`.
+
+        Raises TaskError if the file cannot be written.
+        """
         packed = io.BytesIO()
         arrays = {field.name: getattr(self, field.name) for field in fields(self)}
         np.savez_compressed(packed, **arrays)

@@ -178,6 +178,16 @@ def save_scene(scene: Scene, path: str | Path) -> Path | None:
 def load_scene(path: str | Path) -> Scene:
     """Reads a scene file.
 
+    Parameters
+    ----------
+    path : str or Path
+        .yaml file, as `save_scene` wrote it.
+
+    Returns
+    -------
+    Scene
+        Supports, objects and unseen space.
+
     Raises
     ------
     TaskError

@@ -72,7 +72,7 @@ def simulate(
         also vary thickness and centre of mass of the object, the height of the support, and the
         flexures of the fingers.
     seed : int
-        Seed of the variations, and of the camera.
+        Seed of the variations, and of the camera; at least 0.
     closed_loop : bool
         Execute a slide by a `following.Follower` with a camera that is late, noisy and biased.
     condition : str, optional

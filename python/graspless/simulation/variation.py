@@ -105,7 +105,17 @@ def in_disc(random: Generator, radius: float) -> tuple[float, float]:
 
 
 def variations(trials: int, seed: int, spread: Spread | None = None) -> list[Variation]:
-    """Returns one variation per trial; trial k does not depend on the number of trials."""
+    """Returns one variation per trial; trial k does not depend on the number of trials.
+
+    Parameters
+    ----------
+    trials : int
+        Number of trials. The first variation is nominal.
+    seed : int
+        Seed of the others.
+    spread : Spread, optional
+        Half widths of the variations; by default `Spread()`.
+    """
     drawn = [
         draw(np.random.default_rng([seed, trial]), spread) for trial in range(1, max(trials, 1))
     ]

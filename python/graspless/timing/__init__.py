@@ -83,6 +83,11 @@ def time(
         Time the bare fingertips of a plan that has an arm. This also works for a plan whose
         status is not_realized.
 
+    Returns
+    -------
+    Trajectory
+        Positions, velocities and accelerations of the joints, and poses of the object.
+
     Raises
     ------
     TaskError

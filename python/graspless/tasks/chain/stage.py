@@ -59,6 +59,7 @@ class Stage:
 
     @property
     def kind(self) -> str:
+        """Planner that it is for: slide, pinch, fingertip, clasp or carry."""
         return str(self.fields.kind)
 
     def task(self, fields: Any) -> Task:
