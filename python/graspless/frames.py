@@ -64,7 +64,7 @@ def planar(x: float, y: float, yaw: float) -> Matrix:
 
 
 def from_rpy(rpy: ArrayLike) -> Matrix:
-    """Returns the 4 x 4 rotation Rz(yaw) Ry(pitch) Rx(roll), as in URDF [rad].
+    """Returns the 4 x 4 rotation Rz(yaw) Ry(pitch) Rx(roll) of `rpy` [3], as in URDF [rad].
 
     Raises TaskError unless there are three angles.
     """
@@ -196,3 +196,25 @@ def mixed(
     X = from_quaternion((1 - t)[:, None] * a + t[:, None] * b)
     X[:, :3, 3] = (1 - t)[:, None] * points[before] + t[:, None] * points[after]
     return X
+
+
+__all__ = [
+    "along",
+    "angle",
+    "between",
+    "from_quaternion",
+    "from_row",
+    "from_rows",
+    "from_rpy",
+    "planar",
+    "to_quaternion",
+    "to_row",
+    "to_rows",
+    "to_rpy",
+    "transform",
+    "translation",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
