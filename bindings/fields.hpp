@@ -74,7 +74,7 @@ void bind_descriptions(py::class_<Struct>& cls) {
                  "Returns name, unit, range, text and source of every field.");
 }
 
-/// Binds options: a constructor of keywords, attributes, a repr and fields().
+/// Binds options: a constructor of keywords, attributes, copies, a repr and fields().
 template <class Struct>
 void bind_options_struct(py::module_& m, const char* name, const char* doc) {
   py::class_<Struct> bound(m, name, doc);
@@ -84,6 +84,11 @@ void bind_options_struct(py::module_& m, const char* name, const char* doc) {
                     Field{field.name, field.member, docstring(field, true)}...);
       },
       fields(Struct{}));
+  bound.def(
+      "__copy__", [](const Struct& self) { return self; }, "Returns a copy.");
+  bound.def(
+      "__deepcopy__", [](const Struct& self, const py::dict&) { return self; }, py::arg("memo"),
+      "Returns a copy.");
   bind_descriptions(bound);
 }
 

@@ -27,11 +27,9 @@ class AnyPlan:
     """Base of slide.Plan, pinch.Plan, fingertip.Plan, clasp.Plan, carry.Plan and chain.Plan.
 
     False unless solved. Two plans are equal if their files are. They may be copied and pickled, not
-    hashed. Numbers are those of the file: a
-    plan that is saved and loaded is equal, bit by bit. To change a plan, assign to its attributes:
-    arrays are
-    copies, and a change inside of another one, such as `plan.statistics.iterations = 0`, may not
-    reach the file.
+    hashed. Numbers are those of the file: a plan that is saved and loaded is equal, bit by bit. To
+    change a plan, assign to its attributes: arrays are copies, and a change inside of another one,
+    such as `plan.statistics.iterations = 0`, may not reach the file.
     """
 
     kind: ClassVar[str]

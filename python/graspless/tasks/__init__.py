@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import sys
+from copy import copy
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic
@@ -47,7 +48,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         fields: Any = None,
         source: Source | None = None,
     ) -> None:
-        self._problem, self._options = problem, _copied(options)
+        self._problem, self._options = problem, copy(options)
         self._budget, self._arm = budget, arm
         self.source = source or Source("task", {})
         self._fields = fields
@@ -60,7 +61,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
     @property
     def options(self) -> OptionsT:
         """Settings of the search; a copy, so that a plan keeps those that it was made with."""
-        return _copied(self._options)
+        return copy(self._options)
 
     @property
     def budget(self) -> planning.Budget:
@@ -287,17 +288,6 @@ def build_task(fields: Any, source: Source, other: Source) -> Task:
     kind: TaskKind = part("tasks", fields.kind)
     limit_reading(build_budget(fields.budget, source).seconds)
     return _with_search(fields, kind.build(fields, source, other), source)
-
-
-def _copied(options: OptionsT) -> OptionsT:
-    """Returns a copy of options, of the core or of a chain."""
-    given: Any = options
-    if hasattr(given, "model_copy"):
-        return given.model_copy()  # type: ignore[no-any-return]
-    if not hasattr(given, "fields"):
-        return options  # for the planner to refuse
-    values = {field.name: getattr(given, field.name) for field in given.fields()}
-    return type(given)(**values)  # type: ignore[no-any-return]
 
 
 def _is_plan(text: str) -> bool:
