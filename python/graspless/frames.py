@@ -125,7 +125,7 @@ def from_row(row: ArrayLike) -> Matrix:
 
     Raises TaskError unless there are seven numbers.
     """
-    X_AB: Matrix = from_rows([row])[0]
+    X_AB: Matrix = from_rows(np.asarray(row, dtype=float)[None])[0]
     return X_AB
 
 
@@ -141,7 +141,7 @@ def from_rows(rows: ArrayLike) -> Matrix:
     Raises TaskError unless each has seven numbers.
     """
     given = np.asarray(rows, dtype=float)
-    if given.size and given.shape[1:] != (7,):
+    if given.shape != (0,) and given.shape[1:] != (7,):
         raise TaskError(f"rows: shape {given.shape}: should be (N, 7)")
     given = given.reshape(-1, 7)
     poses = from_quaternion(given[:, 3:])
@@ -151,7 +151,8 @@ def from_rows(rows: ArrayLike) -> Matrix:
 
 def angle(X_A: ArrayLike, X_B: ArrayLike) -> float:
     """Returns the angle between the orientations of two poses [4, 4], from 0 to pi [rad]."""
-    w = abs(float(to_quaternion(np.linalg.inv(X_A) @ X_B)[0]))
+    first, last = np.asarray(X_A, dtype=float), np.asarray(X_B, dtype=float)
+    w = abs(float(to_quaternion(np.linalg.inv(first) @ last)[0]))
     return 2 * float(np.arccos(w)) if w < 1 - 1e-15 else 0.0
 
 
