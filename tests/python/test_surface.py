@@ -205,6 +205,14 @@ def test_the_kind_of_a_task_file_can_be_demanded():
         graspless.load_task(path, "clap")
 
 
+def test_options_and_budget_of_another_type_are_refused():
+    problem = fingertip_problem()
+    with pytest.raises(TaskError, match="options: .*: should be a graspless.fingertip.Options"):
+        fingertip.plan(problem, slide.Options())
+    with pytest.raises(TaskError, match="budget: 5: should be a graspless.planning.Budget"):
+        fingertip.plan(problem, None, 5)
+
+
 def test_what_no_task_file_can_state_is_told(tmp_path):
     tilted = np.eye(4)
     tilted[:3, :3] = [[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]]

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from typing_extensions import TypeVar
 
 from .. import planning
+from .._arguments import require_type
 from ..errors import TaskError, told
 from ..kinds import part
 from ..limits import limit_reading
@@ -98,11 +99,15 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         Raises
         ------
         TaskError
-            `problem` is no Problem.
+            An argument has another type.
         """
         problem_kind(problem)  # raises unless it is one
+        own = sys.modules[type(problem).__module__].Options  # the class beside it
         if options is None:
-            options = sys.modules[type(problem).__module__].Options()  # those beside it
+            options = own()
+        require_type("options", options, own)
+        if budget is not None:
+            require_type("budget", budget, planning.Budget)
         return cls(problem, options, planning.Budget() if budget is None else budget, arm=arm)
 
     @property
