@@ -195,3 +195,7 @@ def test_times_that_differ_by_noise_keep_the_velocity(sliding):
 def test_a_motion_in_progress_cannot_be_copied(plan, copied):
     with pytest.raises(TypeError, match="a Follower cannot be copied or pickled"):
         copied(Follower(plan))
+
+
+def test_text_is_one_short_line(plan):
+    assert repr(Follower(plan)) == "<Follower of 'card', approach>"

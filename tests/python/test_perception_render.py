@@ -18,6 +18,7 @@ def test_without_noise_the_image_is_clean():
     frame = perception.render(SCENE, X_WC, noise=Noise.none())
     assert np.array_equal(frame.depth, frame.clean)
     assert set(np.unique(frame.labels)) == {0, 1}
+    assert repr(frame) == "<Frame of 640 x 480 pixels>"
 
 
 def test_deviation_grows_with_the_squared_depth():

@@ -130,6 +130,7 @@ def simulated(plan, off):
 def test_recording_is_shown_beside_the_plan(plan, tmp_path):
     off = np.array([0.003, 0.0, 0.004])
     happened = simulated(plan, off)
+    assert repr(happened) == f"<Recording of {len(happened.times)} moments, 4.00 s>"
     found, size = replayed(plan, tmp_path, happened)
     assert size < 2_000_000
     messages = found["messages"]

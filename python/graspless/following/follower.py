@@ -89,6 +89,10 @@ class Follower(Pursuit):
         self._looked = -np.inf  # time since when it waits for poses at rest [s]
         self._is_held = False  # the clock was lost: the targets do not move any more
 
+    def __repr__(self) -> str:
+        what = "stopped" if self._stopped else "done" if self.is_done else self._course.name
+        return f"<Follower of '{self.plan.task.problem.object.name}', {what}>"
+
     def __reduce_ex__(self, protocol: Any) -> NoReturn:
         raise TypeError("a Follower cannot be copied or pickled: make another one of its plan")
 

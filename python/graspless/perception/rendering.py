@@ -107,6 +107,10 @@ class Frame:
     labels: Image
     clean: Image
 
+    def __repr__(self) -> str:
+        height, width = self.depth.shape
+        return f"<Frame of {width} x {height} pixels>"
+
     def save(self, path: str | Path) -> None:
         """Writes the arrays depth, K, X_WC, labels and clean to an .npz file at `path`.
 

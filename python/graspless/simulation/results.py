@@ -46,6 +46,9 @@ class Recording:
     names: list[str]
     planned_poses: Matrix | None = None
 
+    def __repr__(self) -> str:
+        return f"<Recording of {len(self.times)} moments, {self.times[-1]:.2f} s>"
+
     @staticmethod
     def of_arm(rows: Sequence[tuple[float, Matrix, Matrix, str]]) -> Recording:
         """Returns the recording of an arm from rows of time, positions, X_WO and name."""
