@@ -1,13 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lists the code blocks of README.md and the site; tests/python/test_docs.py runs them.
-
-python tools/blocks.py     prints how many pages and blocks there are
-"""
+"""Lists the code blocks of README.md and the site; tests/python/test_docs.py runs them."""
 
 from __future__ import annotations
 
-import collections
 import pathlib
 import re
 from typing import NamedTuple
@@ -18,7 +14,6 @@ FENCE = re.compile(
     r"(?P<text>.*?)^(?P=indent)```$",
     re.MULTILINE | re.DOTALL,
 )
-RUN = ("python", "sh", "yaml", "cpp")
 
 
 class Block(NamedTuple):
@@ -55,18 +50,3 @@ def blocks(page: pathlib.Path) -> list[Block]:
         )
         for found in FENCE.finditer(text)
     ]
-
-
-def main() -> None:
-    """Prints the counts."""
-    found = [block for page in pages() for block in blocks(page)]
-    count = collections.Counter(b.language for b in found if b.language in RUN and not b.reason)
-    kinds = ", ".join(f"{count[language]} {language}" for language in RUN)
-    skipped = sum(block.reason is not None for block in found)
-    print(
-        f"{len(pages())} pages, {count.total()} blocks that tests run ({kinds}), {skipped} not run"
-    )
-
-
-if __name__ == "__main__":
-    main()

@@ -5,26 +5,14 @@ from __future__ import annotations
 import pathlib
 import sys
 
-import numpy as np
-
 import graspless
-from graspless import planning, robot, slide
 from graspless._data import directory
 
 
 def main() -> int:
     package = pathlib.Path(graspless.__file__).parent
-    wam = robot.Robot.from_urdf_file(str(directory("urdf") / "wam_t42.urdf"))
-    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    place = np.eye(4)
-    place[0, 3] = 0.65
-    q_home = wam.state("open").copy()
-    q_home[3] = 1.5708
-    card = slide.Object.from_polygon("card", 0.05 * square, thickness=0.004)
-    table = slide.Support(0.35 * square, place)
-    problem = slide.Problem(wam, slide.Hand(), card, table, place, q_home)
-    plan = slide.plan(problem, budget=planning.Budget(seconds=20))
-    faults = slide.check(problem, plan) if plan else [plan.reason]
+    plan = graspless.plan(directory("examples") / "01_slide_card.yaml")
+    faults = graspless.check(plan)
     for fault in faults[:5]:
         print(fault)
     maps = pathlib.Path("/proc/self/maps").read_text(encoding="utf-8").split()
