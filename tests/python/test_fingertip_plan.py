@@ -14,7 +14,6 @@ import graspless
 from fingertip_common import ALONG_WALL, PUSH, TUMBLE, changed
 from graspless import TaskError, fingertip, frames, planning, report
 from graspless.plan_files import read_plan
-from graspless.plan_files.fingertip import FingertipPlanFile
 from graspless.tasks import read_task
 from tasks_common import reread, without_clock
 
@@ -61,7 +60,7 @@ def test_all_searches_find_the_same_cost(push, search):
 
 
 def test_rows_are_what_the_planner_found(push):
-    found = fingertip.plan(push.task.problem, push.task.options, push.task.budget)
+    found = fingertip._core.plan(push.task.problem, push.task.options, push.task.budget)
     segment, theirs = push.segments[0], found.segments[0]
     assert segment.fingers.shape == (len(theirs), 2, 3)
     assert len(segment.X_WO) == 7
@@ -96,12 +95,7 @@ def test_plan_holds_after_its_file(tumble, tmp_path):
     again = graspless.load_plan(tmp_path / "plan.json")
     assert graspless.check(again) == []
     assert again.to_json() == tumble.to_json()
-    FingertipPlanFile.model_validate(json.loads(tumble.to_json()))
     assert again == tumble
-
-
-def test_same_seed_gives_the_same_file(push):
-    assert without_clock(graspless.plan(push.task)) == without_clock(push)
 
 
 def test_file_says_every_value_in_force(document):

@@ -170,6 +170,7 @@ def test_the_simulation_refuses_what_does_not_begin_at_rest(rest):
     from graspless.simulation.variation import Variation
 
     for simulate in (
+        lambda: graspless.simulate(rest),
         lambda: graspless.simulate(rest, closed_loop=True),
         lambda: simulated.start(rest, Variation()),
     ):
@@ -230,9 +231,3 @@ def test_mistakes_raise(plan):
         for again in (slide.resume, slide.restart):
             with pytest.raises(ValueError, match=match):
                 again(plan, *bad, budget=QUICK)
-
-
-def test_simulation_says_that_it_begins_at_rest(rest):
-    pytest.importorskip("mujoco")
-    with pytest.raises(TaskError, match="begins with the finger pressed"):
-        graspless.simulate(rest)
