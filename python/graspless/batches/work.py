@@ -28,16 +28,11 @@ MOST_FAULTS = 5  # faults of check() that a row keeps
 LATE = "EXIT(1)"  # loky's name for the exit of a process that the watchdog ended
 FOREVER = 1e9  # [s]; the watchdog accepts hardly more
 
+# Status of rows without a plan file; other rows have the status of their plan.
 BAD_TASK = "bad_task"  # the task file is not valid
 CRASHED = "crashed"  # the worker process died
 TIMED_OUT = "timed_out"  # the worker process was stopped
 FAILED = "failed"  # an exception: a bug in graspless
-STATUSES = (
-    BAD_TASK,
-    CRASHED,
-    TIMED_OUT,
-    FAILED,
-)  # of rows without a plan file; other rows have the status of their plan
 
 
 @dataclass(frozen=True)
@@ -122,7 +117,7 @@ def carry_out(job: Job) -> Outcome:
 def without_plan(job: Job, status: str, reason: str, seconds: float | None = None) -> Outcome:
     """Returns the outcome of a task without a plan.
 
-    `status` is one of `STATUSES`; `seconds` is the time that the task took [s], if known.
+    `status` is one of those at the top; `seconds` is the time that the task took [s], if known.
     """
     row = _row(job, None, status, reason)
     return Outcome(job.name, row if seconds is None else row | {"total_seconds": seconds})

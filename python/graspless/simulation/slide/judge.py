@@ -30,12 +30,9 @@ FAILURES = {
     "dropped": "the object fell out of the hand during lift or hold, or stayed behind",
     "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
 }
-# Of trials with a true world, where others stand beside the object, and what was seen is not all.
-TRUE_FAILURES = {
-    "knocked": "a body beside the object was moved by more than 2 cm, or tilted by 20 degrees",
-    "touched": "the palm, or any part of the hand other than the fingers, touched the object "
-    "before the hand was there to grasp it",
-}
+# Two more in a true world, where others stand beside the object, and what was seen is not all:
+# knocked: a body beside the object was moved by more than 2 cm, or tilted by 20 degrees;
+# touched: a part of the hand other than the fingers touched the object before the grasp.
 _BEFORE_GRASP = ("approach", "press", "slide", "lift", "reach", "grasp")
 _AWAY = ("approach", "press", "slide", "lift", "reach", "retreat", "stop")  # only fingers may touch
 
