@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/clasp/clasp.hpp"
 
+#include <filesystem>
+
+#include <pybind11/stl/filesystem.h>
+
 #include "graspless/clasp/sample_objects.hpp"
 
 #include "conversions.hpp"
@@ -90,8 +94,11 @@ Raises
 ValueError
     Names the line, the field, the value and the choices.
 )");
-  m.def("hand_from_yaml_file", &hand_from_yaml_file, py::arg("path"),
-        "Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.");
+  m.def(
+      "hand_from_yaml_file",
+      [](const std::filesystem::path& path) { return hand_from_yaml_file(path.string()); },
+      py::arg("path"),
+      "Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.");
   m.def("with_palm_corners", &with_palm_corners, py::arg("hand"), py::arg("robot"),
         R"(Adds corners in the palm to fingers whose joints move their first corners against it.
 

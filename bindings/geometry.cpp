@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <random>
 #include <stdexcept>
 
 #include <pybind11/native_enum.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "graspless/geometry/band.hpp"
 #include "graspless/geometry/complex.hpp"
@@ -132,15 +134,15 @@ void bind_shapes(py::module_& m) {
   set_mesh_reader(read_in_python);
   m.def(
       "read_mesh",
-      [](const std::string& path, const std::variant<double, Array>& scale) {
-        return read_mesh(path, to_scale(scale));
+      [](const std::filesystem::path& path, const std::variant<double, Array>& scale) {
+        return read_mesh(path.string(), to_scale(scale));
       },
       py::arg("path"), py::arg("scale") = 1.0,
       R"(Reads a triangle mesh. Polygons are triangulated.
 
 Parameters
 ----------
-path : str
+path : str or Path
     File of type .stl, .obj, .off or .ply; with the extra `robots` also .dae, .glb or .gltf.
 scale : float or (3,) array, optional
     Factor for all coordinates, or one per axis. Converts the unit of the file to metres.
@@ -667,7 +669,8 @@ void bind_loops(py::module_& m) {
       Field{"threads", &LoopOptions::threads,
             "Number of threads that share the polishing, in [1, 256]. Loops do not depend on it."});
 
-  py::native_enum<LoopStatus>(m, "LoopStatus", "enum.Enum", "Outcome of shortest_loops().")
+  py::native_enum<LoopStatus>(m, "LoopStatus", "graspless._named.Named",
+                              "Outcome of shortest_loops().")
       .value("found", LoopStatus::found, "At least one loop was found.")
       .value("no_reliable_hole", LoopStatus::no_reliable_hole,
              "No class of H_1 is a hole for certain.")

@@ -76,13 +76,14 @@ void bind_vector(py::class_<Struct>& cls, const char* name, Vector Struct::*memb
 }
 
 void bind_contacts(py::module_& m) {
-  py::native_enum<ContactMode>(m, "ContactMode", "enum.Enum",
+  py::native_enum<ContactMode>(m, "ContactMode", "graspless._named.Named",
                                "Motion of the object at a contact with the environment, Eq. (1).")
       .value("stick", ContactMode::stick, "No sliding: any force within the friction cone.")
       .value("slide", ContactMode::slide,
              "Sliding: a force along the cone's edge opposite to the motion.")
       .finalize();
-  py::native_enum<FingerMode>(m, "FingerMode", "enum.Enum", "Control mode of a finger, Eq. (2).")
+  py::native_enum<FingerMode>(m, "FingerMode", "graspless._named.Named",
+                              "Control mode of a finger, Eq. (2).")
       .value("position", FingerMode::position,
              "Position control: any force within the cone and the limit, as a passive reaction.")
       .value("force", FingerMode::force,
@@ -470,7 +471,7 @@ void bind_patches(py::module_& m) {
 }
 
 void bind_stability(py::module_& m) {
-  py::native_enum<Engine>(m, "Engine", "enum.Enum", "Solver of the linear programs.")
+  py::native_enum<Engine>(m, "Engine", "graspless._named.Named", "Solver of the linear programs.")
       .value("fast", Engine::fast, "Decomposed by directions and warm-started.")
       .value("reference", Engine::reference,
              "The programs as the paper writes them, solved by GLPK.")

@@ -98,7 +98,7 @@ def test_faces_that_are_not_convex_are_filled_alone(first, tmp_path):
     lines = [f"v {x} {y} {z}" for x, y, z in corners]
     lines += ["f " + " ".join(map(str, face)) for face in faces]
     (tmp_path / "ell.obj").write_text("\n".join(lines) + "\n")
-    mesh = geometry.read_mesh(str(tmp_path / "ell.obj"))
+    mesh = geometry.read_mesh(tmp_path / "ell.obj")
     a, b, c = (np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[:, k]] for k in range(3))
     assert np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2 == pytest.approx(0.0208)
     assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(0.0064 * 0.02)

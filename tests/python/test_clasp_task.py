@@ -71,7 +71,7 @@ def test_degrees_are_warned_of(write, old, new, place):
 @pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar", "wam_t42"])
 def test_every_hand_that_comes_with_graspless(write, name):
     problem = graspless.load_task(write(changed("kr5_sdh", name))).problem
-    from_file = clasp.hand_from_yaml_file(str(_data.directory("urdf") / f"{name}.clasp.yaml"))
+    from_file = clasp.hand_from_yaml_file(_data.directory("urdf") / f"{name}.clasp.yaml")
     for hand in (problem.hand, from_file):  # the library and task files read it alike
         assert hand.arm == "arm"
         np.testing.assert_allclose(hand.forward_H, from_file.forward_H, atol=1e-15)

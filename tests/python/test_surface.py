@@ -3,6 +3,7 @@
 """The Python surface: one plan type per kind, from a task file or from a problem."""
 
 import copy
+import enum
 import json
 import multiprocessing
 import pathlib
@@ -15,6 +16,7 @@ import yaml
 import graspless
 from graspless import (
     TaskError,
+    _core,
     carry,
     clasp,
     collision,
@@ -281,3 +283,12 @@ def test_replays_open_in_the_browser(monkeypatch):
 def test_only_public_names_are_listed():
     for module in (*MODULES.values(), graspless.view, graspless.chain, robot):
         assert sorted(module.__all__) == dir(module)
+
+
+def test_members_of_every_enum_of_the_core_equal_their_names():
+    rooms = [getattr(_core, room) for room in dir(_core) if not room.startswith("_")]
+    enums = {v for room in rooms for v in vars(room).values() if isinstance(v, enum.EnumMeta)}
+    assert len(enums) > 10
+    for kind in enums:
+        for name, member in kind.__members__.items():
+            assert member == name and str(member) == name

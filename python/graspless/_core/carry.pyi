@@ -101,7 +101,7 @@ class Problem:
     @property
     def places(self) -> Places | None:
         """
-        Where the object is put down, or None.
+        Places where the object is put down, or None.
         """
     @property
     def q_start(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -126,6 +126,14 @@ class Options:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
         """
     def __init__(self, *, step: typing.SupportsFloat | typing.SupportsIndex = 0.005, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0005, angle_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_twist: typing.SupportsFloat | typing.SupportsIndex = 0.0, contact_depth: typing.SupportsFloat | typing.SupportsIndex = 0.001, height: typing.SupportsFloat | typing.SupportsIndex = 0.06, retreat: typing.SupportsFloat | typing.SupportsIndex = 0.08, max_tilt: typing.SupportsFloat | typing.SupportsIndex = 0.35, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """

@@ -11,6 +11,7 @@ import graspless._core.scene
 import graspless._named
 import numpy
 import numpy.typing
+import os
 import typing
 __all__: list[str] = ['Certificate', 'CertificateOptions', 'CurveNode', 'Finger', 'Hand', 'Hang', 'Object', 'Options', 'Pinch', 'Plan', 'Problem', 'Segment', 'Stability', 'StabilityOptions', 'Statistics', 'Status', 'Tree', 'certificate', 'certify', 'check', 'find_hang', 'hand_from_yaml', 'hand_from_yaml_file', 'plan', 'sample_object', 'sample_object_names', 'test_pinch', 'test_stability', 'validate', 'with_palm_corners']
 class CurveNode:
@@ -311,6 +312,14 @@ class StabilityOptions:
         """
         Returns name, unit, range, text and source of every field.
         """
+    def __copy__(self) -> StabilityOptions:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> StabilityOptions:
+        """
+        Returns a copy.
+        """
     def __init__(self, *, sequences: typing.SupportsInt | typing.SupportsIndex = 10, moves: typing.SupportsInt | typing.SupportsIndex = 500, step: typing.SupportsFloat | typing.SupportsIndex = 0.002, turn: typing.SupportsFloat | typing.SupportsIndex = 0.01, penetration: typing.SupportsFloat | typing.SupportsIndex = 0.003, escape_distance: typing.SupportsFloat | typing.SupportsIndex = 0.0, force: typing.SupportsFloat | typing.SupportsIndex = 2.5, torque: typing.SupportsFloat | typing.SupportsIndex = 0.15, seed: typing.SupportsInt | typing.SupportsIndex = 1, threads: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -470,7 +479,7 @@ class Stability:
     @property
     def withstands(self) -> float:
         """
-        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested.
+        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested or the loop escaped.
         """
     @withstands.setter
     def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -527,7 +536,7 @@ class Pinch:
         ...
 class Hang:
     """
-    How an object hangs in a closed hand that carries it.
+    Pose in which an object hangs in a closed hand that carries it.
     """
     def __repr__(self) -> str:
         ...
@@ -559,6 +568,14 @@ class CertificateOptions:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> CertificateOptions:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> CertificateOptions:
+        """
+        Returns a copy.
         """
     def __init__(self, *, tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.002, moves: typing.SupportsInt | typing.SupportsIndex = 1000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
@@ -673,6 +690,14 @@ class Options:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
         """
     def __init__(self, *, min_linking: typing.SupportsFloat | typing.SupportsIndex = 0.0, targets: typing.SupportsInt | typing.SupportsIndex = 0, attract: bool = False, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, stability: StabilityOptions = ..., certificate: CertificateOptions = ..., must_be_secure: bool = True, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
@@ -1172,7 +1197,7 @@ def hand_from_yaml(text: str, what: str = 'hand') -> Hand:
     ValueError
         Names the line, the field, the value and the choices.
     """
-def hand_from_yaml_file(path: str) -> Hand:
+def hand_from_yaml_file(path: os.PathLike[str] | str) -> Hand:
     """
     Reads a hand from a YAML file; see hand_from_yaml. The folder urdf/ has examples.
     """

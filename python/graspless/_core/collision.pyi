@@ -111,7 +111,7 @@ class World:
     @property
     def num_checks(self) -> int:
         """
-        Number of configurations tested so far.
+        Number of configurations that collides() and first_collision() have tested so far.
         """
     @property
     def pairs(self) -> list[tuple[int, int]]:

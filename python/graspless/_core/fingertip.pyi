@@ -429,6 +429,14 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
+        """
     def __init__(self, *, search: Search = Search.fast, locations_per_side: typing.SupportsInt | typing.SupportsIndex = 7, location_spacing: typing.SupportsFloat | typing.SupportsIndex = 0.0, cone_edges: typing.SupportsInt | typing.SupportsIndex = 6, samples_per_arc: typing.SupportsInt | typing.SupportsIndex = 3, min_stability: typing.SupportsFloat | typing.SupportsIndex = 0.5, regrasp_cost: typing.SupportsFloat | typing.SupportsIndex = 100.0, stability_weight: typing.SupportsFloat | typing.SupportsIndex = 0.01, disturbance_directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., compliance: graspless._core.mechanics.Compliance = ..., max_yield: typing.SupportsFloat | typing.SupportsIndex = 0.001, max_regrasps: typing.SupportsInt | typing.SupportsIndex = 8, threads: typing.SupportsInt | typing.SupportsIndex = 1, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0, explain: bool = True) -> None:
         """
         Any field by keyword; the others keep their defaults.
@@ -927,7 +935,7 @@ class Plan:
     @property
     def limit(self) -> str:
         """
-        If not solved: the obstacles to a plan.
+        Obstacles to a plan, if not solved.
         """
     @limit.setter
     def limit(self, arg0: str) -> None:
@@ -967,7 +975,7 @@ class Plan:
     @property
     def relaxations(self) -> tuple[Relaxation, ...]:
         """
-        If not solved: the single changes that would help.
+        Single changes that would help, if not solved.
         """
     @relaxations.setter
     def relaxations(self, arg1: collections.abc.Sequence[Relaxation]) -> None:
@@ -1062,6 +1070,14 @@ class RealizeOptions:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> RealizeOptions:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> RealizeOptions:
+        """
+        Returns a copy.
         """
     def __init__(self, *, approach: typing.SupportsFloat | typing.SupportsIndex = 0.03, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_jump: typing.SupportsFloat | typing.SupportsIndex = 0.05, position_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.0001, restarts: typing.SupportsInt | typing.SupportsIndex = 40, solutions: typing.SupportsInt | typing.SupportsIndex = 8, plans: typing.SupportsInt | typing.SupportsIndex = 8, max_scrub: typing.SupportsFloat | typing.SupportsIndex = 0.0003) -> None:
         """

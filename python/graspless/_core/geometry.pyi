@@ -3,9 +3,10 @@ Shapes, supports, outlines, and the loops through the holes of a cloud. Lengths 
 """
 from __future__ import annotations
 import collections.abc
-import enum
+import graspless._named
 import numpy
 import numpy.typing
+import os
 import typing
 __all__: list[str] = ['Band', 'BettiCurve', 'Box', 'Capsule', 'ClaspTarget', 'Complex', 'Convex', 'Edge', 'Filtration', 'HeightMap', 'Loop', 'LoopOptions', 'LoopStatus', 'Loops', 'Mesh', 'PlacedShape', 'Plateau', 'Polygon', 'PreparedLoop', 'RayImage', 'Sphere', 'VirtualLinking', 'clasp_targets', 'columns', 'downsample', 'gauss_linking', 'linking_number', 'outline', 'quaternions', 'rays_from_viewpoints', 'read_mesh', 'rotations', 'sample_grid', 'sample_surface', 'seen_heights', 'shortest_loops', 'spacing', 'virtual_linking', 'virtual_linking_gradient', 'visible_points']
 class Box:
@@ -14,7 +15,7 @@ class Box:
     """
     def __init__(self, size: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
-        size: (3,) side lengths [m], positive.
+        size: (3,) side lengths [m], each in [1e-6, 10000].
         """
     def __repr__(self) -> str:
         ...
@@ -29,7 +30,7 @@ class Sphere:
     """
     def __init__(self, radius: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        radius: radius [m], positive.
+        radius: radius [m], in [1e-6, 10000].
         """
     def __repr__(self) -> str:
         ...
@@ -44,7 +45,7 @@ class Capsule:
     """
     def __init__(self, radius: typing.SupportsFloat | typing.SupportsIndex, length: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        radius, length: [m], positive. length: of the segment.
+        radius, length: [m], each in [1e-6, 10000]. length: of the segment.
         """
     def __repr__(self) -> str:
         ...
@@ -204,7 +205,7 @@ class Band:
     """
     def __init__(self, polygon: Polygon, width: typing.SupportsFloat | typing.SupportsIndex) -> None:
         """
-        width: width of the band [m], positive.
+        width: width of the band [m], in [1e-6, 10000].
         """
     def __repr__(self) -> str:
         ...
@@ -442,7 +443,7 @@ class Loop:
     @property
     def reason(self) -> str:
         """
-        Why it is uncertain or discarded; empty for a hole that was found.
+        Reason why it is uncertain or discarded; empty for a hole that was found.
         """
     @property
     def seen_through(self) -> float:
@@ -519,7 +520,7 @@ class HeightMap:
         """
         corner: (2,) least x and y of the first cell [m]. cell: side of a cell [m]. heights: (nx, ny) [m], the first index along x; 0: nothing is there. undersides: (nx, ny) lowest height at which each cell was seen [m]; None: the cells are known to be solid down to the plane.
         
-        Raises ValueError unless there are 1 to 10^6 cells, none with a negative height and one with a positive one.
+        Raises ValueError unless there are 1 to 10^6 cells of at least 1e-4 m, none with a negative height and one with a height of at least 1e-6 m.
         """
     def __repr__(self) -> str:
         ...
@@ -607,7 +608,7 @@ class LoopOptions:
     @threads.setter
     def threads(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
-class LoopStatus(enum.Enum):
+class LoopStatus(graspless._named.Named):
     """
     Outcome of shortest_loops().
     """
@@ -734,6 +735,8 @@ class PreparedLoop:
     def __init__(self, loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> None:
         """
         loop: a Loop, or its corners (K, 3) [m].
+        
+        Raises ValueError if it has fewer than 3 corners or is not finite.
         """
     def __repr__(self) -> str:
         ...
@@ -893,13 +896,13 @@ def rays_from_viewpoints(points: typing.Annotated[numpy.typing.ArrayLike, numpy.
         If there are fewer than 20 points, one is not finite, or a viewpoint is among the points: they
         must lie within 60 degrees of the direction to their middle.
     """
-def read_mesh(path: str, scale: typing.SupportsFloat | typing.SupportsIndex | typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = 1.0) -> Mesh:
+def read_mesh(path: os.PathLike[str] | str, scale: typing.SupportsFloat | typing.SupportsIndex | typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = 1.0) -> Mesh:
     """
     Reads a triangle mesh. Polygons are triangulated.
     
     Parameters
     ----------
-    path : str
+    path : str or Path
         File of type .stl, .obj, .off or .ply; with the extra `robots` also .dae, .glb or .gltf.
     scale : float or (3,) array, optional
         Factor for all coordinates, or one per axis. Converts the unit of the file to metres.

@@ -3,19 +3,19 @@ Stability of objects with frictional contacts (Maeda, Arai).
 """
 from __future__ import annotations
 import collections.abc
-import enum
 import graspless._core.planning
+import graspless._named
 import numpy
 import numpy.typing
 import typing
 __all__: list[str] = ['BodyState', 'Compliance', 'Contact', 'ContactMode', 'ContactPatches', 'ContactSet', 'ControlModes', 'Engine', 'Equilibrium', 'Finger', 'FingerMode', 'FrictionInterval', 'FrictionVerdict', 'Plane', 'Stability', 'Surfaces', 'best_control_modes', 'compliant_equilibrium', 'compliant_stability', 'contact_patches', 'contact_sets', 'disturbance_directions', 'friction_cone', 'gravity_wrench', 'holds_over_friction', 'interior_equilibrium', 'internal_force_is_bounded', 'max_stability', 'normalized', 'place_tolerance', 'tangent', 'validate', 'withstands', 'wrench_scale']
-class ContactMode(enum.Enum):
+class ContactMode(graspless._named.Named):
     """
     Motion of the object at a contact with the environment, Eq. (1).
     """
     slide = ...
     stick = ...
-class FingerMode(enum.Enum):
+class FingerMode(graspless._named.Named):
     """
     Control mode of a finger, Eq. (2).
     """
@@ -359,7 +359,7 @@ class ContactPatches:
     @turns_in_plane.setter
     def turns_in_plane(self, arg0: bool) -> None:
         ...
-class Engine(enum.Enum):
+class Engine(graspless._named.Named):
     """
     Solver of the linear programs.
     """
@@ -487,6 +487,14 @@ class Compliance:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Compliance:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Compliance:
+        """
+        Returns a copy.
         """
     def __init__(self, *, environment_normal: typing.SupportsFloat | typing.SupportsIndex = 50000.0, environment_tangential: typing.SupportsFloat | typing.SupportsIndex = 40000.0, finger_normal: typing.SupportsFloat | typing.SupportsIndex = 10000.0, finger_tangential: typing.SupportsFloat | typing.SupportsIndex = 10000.0) -> None:
         """
@@ -803,9 +811,9 @@ def friction_cone(n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], 
     n_O : array (3,)
         Unit normal in O.
     friction : float
-        Coefficient of friction.
+        Coefficient of friction, not negative.
     edges : int
-        Number of edges.
+        Number of edges, at least 3.
     t_O : array (3,), optional
         Direction in O towards which the first edge leans, as in `tangent`.
     
@@ -813,6 +821,12 @@ def friction_cone(n_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], 
     -------
     array (edges, 3)
         Unit vectors c_1 ... c_s in O, counter-clockwise about n_O at equal angles.
+    
+    Raises
+    ------
+    ValueError
+        There are fewer than three edges, or an array has the wrong shape or is not finite.
+        The length of n_O and the sign of friction are not checked.
     """
 def gravity_wrench(mass: typing.SupportsFloat | typing.SupportsIndex, gravity_O: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[6, 1]"]:
     """
@@ -829,6 +843,11 @@ def gravity_wrench(mass: typing.SupportsFloat | typing.SupportsIndex, gravity_O:
     -------
     array (6,)
         Force and moment in O [N, N m]. The moment is zero.
+    
+    Raises
+    ------
+    ValueError
+        The mass is not in [1e-9, 1e5] kg, or a value of gravity_O is beyond 1000 m/s^2.
     """
 def holds_over_friction(set: ContactSet, modes: collections.abc.Sequence[FingerMode], commanded_forces: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], *, environment: FrictionInterval | Surfaces, fingers: FrictionInterval, needed: typing.SupportsFloat | typing.SupportsIndex, directions: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> FrictionVerdict:
     """
@@ -1032,7 +1051,8 @@ def validate(set: ContactSet) -> None:
     Raises
     ------
     ValueError
-        A value is not finite, a coefficient of friction is negative, a force limit is not positive,
+        A value is not finite, a coefficient of friction is not in [0, 1e4], a force limit is
+        not in [1e-6, 1e6] N,
         a normal is not a unit vector, a sliding contact has no direction along the surface, a cone
         has fewer than three edges, there are more than four fingers, or the scale is singular. The
         message names the field and its value.

@@ -25,7 +25,9 @@ class Camera:
         """
     def __init__(self, width: typing.SupportsInt | typing.SupportsIndex = 640, height: typing.SupportsInt | typing.SupportsIndex = 480, angle: typing.SupportsFloat | typing.SupportsIndex = 1.0471975511965976) -> None:
         """
-        width, height: size of the image [pixels]. angle: horizontal field of view [rad].
+        width, height: size of the image [pixels], in [16, 20000]. angle: horizontal field of view [rad].
+        
+        Raises ValueError unless both fields of view lie in [5, 170] degrees.
         """
     def __repr__(self) -> str:
         ...
@@ -66,7 +68,7 @@ class Body:
         """
 class Rendering:
     """
-    What the rays through the centres of all pixels meet.
+    First hits of the rays through the centres of all pixels.
     """
     def __repr__(self) -> str:
         ...
@@ -93,6 +95,14 @@ class Options:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
         """
     def __init__(self, *, noise_constant: typing.SupportsFloat | typing.SupportsIndex = 0.001, noise_quadratic: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_tilt: typing.SupportsFloat | typing.SupportsIndex = 0.6, min_support_area: typing.SupportsFloat | typing.SupportsIndex = 0.06, min_object_area: typing.SupportsFloat | typing.SupportsIndex = 0.0001, min_thickness: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_height: typing.SupportsFloat | typing.SupportsIndex = 0.6, unseen_height: typing.SupportsFloat | typing.SupportsIndex = 0.15, max_pixels: typing.SupportsInt | typing.SupportsIndex = 400000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
@@ -211,7 +221,7 @@ class Status(graspless._named.Named):
     not_metres = ...
 class EdgeLabel(graspless._named.Named):
     """
-    What is beyond an edge of a support.
+    Reason why a support ends at an edge.
     """
     image_border = ...
     occluded = ...
@@ -295,7 +305,7 @@ class Support:
         """
 class Object:
     """
-    Something that stands on a support or lies on it.
+    A thing that stands on a support or lies on it.
     
     Its frame O has its origin in the support's plane, below the centroid of the outline, z out of the plane, and x along its longest extent.
     """
@@ -413,12 +423,12 @@ class Scene:
     @property
     def reason(self) -> str:
         """
-        What was found, or why nothing was, and what to do.
+        Result, or the reason why there is none and what to do; one sentence or two.
         """
     @property
     def stamp(self) -> float | None:
         """
-        When the images were taken [s since 1970]; None if unknown.
+        Time at which the images were taken [s since 1970]; None if unknown.
         """
     @stamp.setter
     def stamp(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
@@ -441,7 +451,7 @@ class Scene:
     @property
     def warnings(self) -> tuple[str, ...]:
         """
-        What may be wrong although something was found, one sentence each.
+        Doubts about what was found, one sentence each.
         """
 def cast_rays(bodies: collections.abc.Sequence[Body], X_WC: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], camera: Camera = ...) -> Rendering:
     """

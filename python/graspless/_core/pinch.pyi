@@ -20,6 +20,14 @@ class Options:
         """
         Returns name, unit, range, text and source of every field.
         """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
+        """
     def __init__(self, *, friction: typing.SupportsFloat | typing.SupportsIndex = 0.5, margin: typing.SupportsFloat | typing.SupportsIndex = 0.002, clearance: typing.SupportsFloat | typing.SupportsIndex = 0.0015, max_lever: typing.SupportsFloat | typing.SupportsIndex = 0.08, grip_force: typing.SupportsFloat | typing.SupportsIndex | None = None, patch: typing.SupportsFloat | typing.SupportsIndex = 0.008, depth: typing.SupportsFloat | typing.SupportsIndex = 0.01, height: typing.SupportsFloat | typing.SupportsIndex | None = None, opening: typing.SupportsFloat | typing.SupportsIndex | None = None, approach: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasps: typing.SupportsInt | typing.SupportsIndex = 300, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
         Any field by keyword; the others keep their defaults.

@@ -55,7 +55,7 @@ class Budget:
         """
     def __init__(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex = 10.0, iterations: typing.SupportsInt | typing.SupportsIndex | None = None, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
-        seconds: wall clock [s], may be inf. iterations: rounds of the main loop, None for no limit.
+        seconds: wall clock [s], above 0, may be inf. iterations: rounds of the main loop, None for no limit. seed: of all random numbers, from 0 to 2^64 - 1.
         
         The same seed and iterations give the same plan, bit by bit, unless the clock ends the search first.
         """
@@ -87,6 +87,8 @@ class Budget:
     def seconds(self) -> float:
         """
         Wall-clock time.
+        
+        Unit: s.
         """
     @property
     def seed(self) -> int:

@@ -76,7 +76,7 @@ class Robot:
         """
     def reach(self, link: str | typing.SupportsInt | typing.SupportsIndex) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        Returns an upper bound on how far any point of a link moves per unit of each joint, (dof,) [m/rad or 1].
+        Returns an upper bound on how far any point of a link's shapes moves per unit of each joint, (dof,) [m/rad or 1]; of a link without shapes, its origin.
         """
     def state(self, name: str, others: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
@@ -127,12 +127,12 @@ class Robot:
     @property
     def max_effort(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) largest efforts [Nm or N].
+        (dof,) largest efforts [Nm or N]; inf if the URDF has none, or 0.
         """
     @property
     def max_velocity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
-        (dof,) largest velocities [rad/s or m/s]; inf if the URDF has none.
+        (dof,) largest velocities [rad/s or m/s]; inf if the URDF has none, or 0.
         """
     @property
     def name(self) -> str:

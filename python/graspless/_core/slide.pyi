@@ -22,7 +22,7 @@ class Object:
     @staticmethod
     def from_cloud(name: str, p_OP: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], thickness: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> Object:
         """
-        Creates an object from points on its top surface, (N, 3) in O [m]: P_o of Hang et al. 2019, Section IV-A. The thickness [m] is their median height unless given.
+        Creates an object from points on its top surface, (N, 3) in O [m]: P_o of Hang et al. 2019, Section IV-A. The thickness [m] is their median height unless given. The centre of mass is their mean, at half the thickness. The mass is 0.05 kg: see with_mass.
         
         Raises ValueError if there are fewer than three points, if they are not finite or lie on a line, or if the object is not thin.
         """
@@ -31,7 +31,7 @@ class Object:
         """
         Creates an object from its outline, a Polygon or (N, 2) in O [m], and its thickness [m].
         
-        Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at half the thickness.
+        Contact points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at half the thickness. The mass is 0.05 kg: see with_mass.
         
         Raises ValueError on a bad outline, or on a thickness over three quarters of the object's width.
         """
@@ -91,7 +91,7 @@ class Object:
     @property
     def mass(self) -> float:
         """
-        Mass [kg].
+        Mass [kg]; 0.05 by default.
         """
     @property
     def name(self) -> str:
@@ -130,8 +130,10 @@ class Support:
     def __init__(self, polygon: graspless._core.geometry.Polygon | typing.Annotated[numpy.typing.ArrayLike, numpy.float64], X_WS: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], slab: typing.SupportsFloat | typing.SupportsIndex = 0.04, band_width: typing.SupportsFloat | typing.SupportsIndex = 0.06, friction: typing.SupportsFloat | typing.SupportsIndex = 0.3, usable_edges: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex] | None = None) -> None:
         """
         polygon: a Polygon or (N, 2) [m]. X_WS: (4, 4) pose in the world, tilted by at most 60 degrees.
-        slab: thickness of the table top [m]. band_width: width of the band along the edges where slides may end [m]. friction: coefficient of friction between object and support.
+        slab: thickness of the table top [m]. band_width: width of the band along the edges where slides may end [m]. friction: coefficient of friction between object and support, in [1e-6, 10000].
         usable_edges: indices of the polygon's edges over which objects may stick out; by default all. Edge i runs from vertex i to the next, counter-clockwise.
+        
+        Raises ValueError that names the argument.
         """
     def __repr__(self) -> str:
         ...
@@ -191,6 +193,14 @@ class Hand:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Hand:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Hand:
+        """
+        Returns a copy.
         """
     def __init__(self, *, arm: str = 'arm', fingertip: str = 'left_fingertip', sliding_finger: collections.abc.Sequence[str] = ['left_finger'], fingers: collections.abc.Sequence[str] = ['left_finger', 'right_finger'], grasp_frame: str = 'grasp', open: str = 'open', closed: str = 'closed', finger_model: FingerModel = FingerModel.flexure, flexure_length: typing.SupportsFloat | typing.SupportsIndex = 0.11, tip_radius: typing.SupportsFloat | typing.SupportsIndex = 0.005, flexure_stiffness: typing.SupportsFloat | typing.SupportsIndex = 4.6, wrist_stiffness: typing.SupportsFloat | typing.SupportsIndex = 0.0, press_force: typing.SupportsFloat | typing.SupportsIndex = 9.0, pad_width: typing.SupportsFloat | typing.SupportsIndex = 0.032, pad_friction: typing.SupportsFloat | typing.SupportsIndex = 1.16) -> None:
         """
@@ -396,6 +406,14 @@ class Options:
     def fields() -> list[graspless._core.planning.Field]:
         """
         Returns name, unit, range, text and source of every field.
+        """
+    def __copy__(self) -> Options:
+        """
+        Returns a copy.
+        """
+    def __deepcopy__(self, memo: dict) -> Options:
+        """
+        Returns a copy.
         """
     def __init__(self, *, search: Search = Search.fast, pitch: typing.SupportsFloat | typing.SupportsIndex = 0.7853981633974483, pitch_tolerance: typing.SupportsFloat | typing.SupportsIndex = 0.1, min_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, max_depth: typing.SupportsFloat | typing.SupportsIndex | None = None, root_scale: typing.SupportsFloat | typing.SupportsIndex = 100.0, min_overhang: typing.SupportsFloat | typing.SupportsIndex = 0.02, com_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, tip_margin: typing.SupportsFloat | typing.SupportsIndex = 0.01, rim_margin: typing.SupportsFloat | typing.SupportsIndex = 0.005, lift_height: typing.SupportsFloat | typing.SupportsIndex = 0.08, grasp_approach: typing.SupportsFloat | typing.SupportsIndex = 0.06, deep_grasp: bool = False, refuse_lag: bool = True, friction_spread: typing.SupportsFloat | typing.SupportsIndex = 0.3, mass_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, com_spread: typing.SupportsFloat | typing.SupportsIndex = 0.005, pad_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0, thickness_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, height_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, flexure_spread: typing.SupportsFloat | typing.SupportsIndex = 0.2, position_spread: typing.SupportsFloat | typing.SupportsIndex = 0.003, angle_spread: typing.SupportsFloat | typing.SupportsIndex = 0.0349, tracking_spread: typing.SupportsFloat | typing.SupportsIndex = 0.001, range: typing.SupportsFloat | typing.SupportsIndex = 0.1, resolution: typing.SupportsFloat | typing.SupportsIndex = 0.01, max_memory: typing.SupportsFloat | typing.SupportsIndex = 4000000000.0) -> None:
         """
