@@ -70,6 +70,10 @@ def test_names_stay_apart(tasks, tmp_path, monkeypatch):
     assert [entry.name for entry in names.find("tasks/**/card.yaml")] == ["a/card", "b/card"]
     assert [entry.name for entry in names.find("tasks/a/*")] == ["card"]
     assert [entry.name for entry in names.find(folder / "b")] == ["card"]
+    for name in ("x.yaml", "x.yml", "x.yaml.yaml"):
+        (folder / "b" / name).write_text(GOOD)
+    names_of_b = ["card", "x.yaml", "x.yaml.yaml", "x.yml"]
+    assert [entry.name for entry in names.find(folder / "b")] == names_of_b
     odd = tmp_path / "odd[1].yaml"
     odd.write_text(GOOD)
     assert [entry.path for entry in names.find("odd[1].yaml")] == [odd]
@@ -82,6 +86,8 @@ def test_names_stay_apart(tasks, tmp_path, monkeypatch):
         ("nothing.yaml", "nothing.yaml: no such file"),
         ("no*.yaml", "no\\*.yaml: no task files there"),
         (".", "no task files there"),
+        (5, "5: should be the path of a file"),
+        ([None], "None: should be the path of a file"),
     ],
 )
 def test_no_tasks_are_refused(given, message, tmp_path, monkeypatch):
@@ -483,6 +489,8 @@ def test_output_that_cannot_be_written_exits_2(tasks, tmp_path, capsys):
         code, _, err = run(capsys, "batch", folder, "-o", output)
         assert code == 2
         assert "cannot be written" in err
+    with pytest.raises(TaskError, match="None: should be the path of a file"):
+        graspless.batch(folder, None)
 
 
 def test_a_plan_that_cannot_be_written_ends_the_batch(tasks, tmp_path, capsys):

@@ -95,7 +95,7 @@ def batch(
         prove = require_integer("prove", prove, least=1)
         _require_engine(dask)
     found = names.find(tasks)
-    run = _Run(found, Path(output), changes, patience, progress, trust, prove)
+    run = _Run(found, files.as_path(output), changes, patience, progress, trust, prove)
     with pools.opened(min(jobs, len(found)), dask) as pool:
         return run.carry_out(pool, work.carry_out)
 

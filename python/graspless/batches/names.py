@@ -7,14 +7,12 @@ from __future__ import annotations
 import glob
 import os
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from .. import files
 from ..errors import TaskError
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 ENDINGS = (".yaml", ".yml")
 OF_HANDS = tuple(f".{what}{ending}" for what in ("hand", "clasp") for ending in ENDINGS)
@@ -48,24 +46,25 @@ def find(tasks: str | Path | Iterable[str | Path]) -> list[Entry]:
     TaskError
         No file is there.
     """
-    given = [tasks] if isinstance(tasks, (str, Path)) else list(tasks)
+    given = list(tasks) if isinstance(tasks, Iterable) and not isinstance(tasks, str) else [tasks]
     if not given:
         raise TaskError("tasks: none given; should be files, globs or folders")
     folders: list[Path] = []
     paths: dict[Path, None] = {}
     for one in given:
-        found = _below(Path(one)) if Path(one).is_dir() else _files(str(one))
+        is_folder = files.as_path(one).is_dir()
+        found = _below(Path(one)) if is_folder else _files(str(one))
         if not found:
             raise TaskError(f"{one}: no task files there")
         paths.update(dict.fromkeys(Path(os.path.abspath(path)) for path in found))
-        folders += [Path(one)] if Path(one).is_dir() else [path.parent for path in found]
+        folders += [Path(one)] if is_folder else [path.parent for path in found]
     base = Path(os.path.commonpath([os.path.abspath(folder) for folder in folders]))
     return sorted(_named(list(paths), base), key=lambda entry: entry.name)
 
 
 def _below(folder: Path) -> list[Path]:
-    files = (path for ending in ENDINGS for path in folder.rglob(f"*{ending}"))
-    return sorted(path for path in files if not path.name.endswith(OF_HANDS) and path.is_file())
+    paths = (path for ending in ENDINGS for path in folder.rglob(f"*{ending}"))
+    return sorted(path for path in paths if not path.name.endswith(OF_HANDS) and path.is_file())
 
 
 def _files(text: str) -> list[Path]:
@@ -77,10 +76,9 @@ def _files(text: str) -> list[Path]:
 
 
 def _named(paths: list[Path], base: Path) -> list[Entry]:
-    """Returns the paths without their suffixes, unless two would then be equal."""
+    """Returns the paths without their suffixes, unless that is also the name of another."""
     relative = {path: path.relative_to(base).as_posix() for path in paths}
     short = {path: name.removesuffix(path.suffix) for path, name in relative.items()}
     count = Counter(short.values())
-    return [
-        Entry(short[path] if count[short[path]] == 1 else relative[path], path) for path in paths
-    ]
+    taken = {name for name, times in count.items() if times > 1} | set(relative.values())
+    return [Entry(relative[path] if name in taken else name, path) for path, name in short.items()]
