@@ -291,4 +291,5 @@ def test_members_of_every_enum_of_the_core_equal_their_names():
     assert len(enums) > 10
     for kind in enums:
         for name, member in kind.__members__.items():
-            assert member == name and str(member) == name
+            assert member == name
+            assert str(member) == name
