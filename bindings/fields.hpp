@@ -87,7 +87,7 @@ void bind_options_struct(py::module_& m, const char* name, const char* doc) {
   bound.def(
       "__copy__", [](const Struct& self) { return self; }, "Returns a copy.");
   bound.def(
-      "__deepcopy__", [](const Struct& self, const py::dict&) { return self; }, py::arg("memo"),
+      "__deepcopy__", [](const Struct& self, const py::object&) { return self; }, py::arg("memo"),
       "Returns a copy.");
   bind_descriptions(bound);
 }

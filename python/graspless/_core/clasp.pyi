@@ -316,7 +316,7 @@ class StabilityOptions:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> StabilityOptions:
+    def __deepcopy__(self, memo: typing.Any) -> StabilityOptions:
         """
         Returns a copy.
         """
@@ -573,7 +573,7 @@ class CertificateOptions:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> CertificateOptions:
+    def __deepcopy__(self, memo: typing.Any) -> CertificateOptions:
         """
         Returns a copy.
         """
@@ -695,7 +695,7 @@ class Options:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Options:
+    def __deepcopy__(self, memo: typing.Any) -> Options:
         """
         Returns a copy.
         """

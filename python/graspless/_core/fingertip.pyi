@@ -433,7 +433,7 @@ class Options:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Options:
+    def __deepcopy__(self, memo: typing.Any) -> Options:
         """
         Returns a copy.
         """
@@ -1075,7 +1075,7 @@ class RealizeOptions:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> RealizeOptions:
+    def __deepcopy__(self, memo: typing.Any) -> RealizeOptions:
         """
         Returns a copy.
         """

@@ -492,7 +492,7 @@ class Compliance:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Compliance:
+    def __deepcopy__(self, memo: typing.Any) -> Compliance:
         """
         Returns a copy.
         """

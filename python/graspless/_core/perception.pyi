@@ -100,7 +100,7 @@ class Options:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Options:
+    def __deepcopy__(self, memo: typing.Any) -> Options:
         """
         Returns a copy.
         """

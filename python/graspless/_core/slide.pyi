@@ -198,7 +198,7 @@ class Hand:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Hand:
+    def __deepcopy__(self, memo: typing.Any) -> Hand:
         """
         Returns a copy.
         """
@@ -411,7 +411,7 @@ class Options:
         """
         Returns a copy.
         """
-    def __deepcopy__(self, memo: dict) -> Options:
+    def __deepcopy__(self, memo: typing.Any) -> Options:
         """
         Returns a copy.
         """
