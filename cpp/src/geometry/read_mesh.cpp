@@ -111,6 +111,18 @@ std::stringstream surface_of(const std::string& path) {
   return surface;
 }
 
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// True of a .stl file that states that it has no triangle. CGAL finds none in any other text.
+bool is_empty_stl(const std::string& path) {
+  constexpr std::size_t kHeader = 84;  // of a binary file, with the number of triangles [bytes]
+  return file_size == 0 || file_size == kHeader ||
+         text_of(path).find("endsolid") != std::string::npos;
+}
+
 PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) {
   Bounded<Point> points;
   Bounded<Bounded<std::size_t>> polygons;
@@ -119,7 +131,7 @@ PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) 
   if (extension == ".obj") surface = surface_of(path);
   const bool is_read = extension == ".obj" ? CGAL::IO::read_OBJ(surface, points, polygons)
                                            : CGAL::IO::read_STL(path, points, polygons);
-  if (!is_read) {
+  if (!is_read || (extension == ".stl" && polygons.empty() && !is_empty_stl(path))) {
     throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
   PolygonSoup soup;
@@ -131,8 +143,7 @@ PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) 
 PolygonSoup read_soup(const std::string& path, const std::string& extension) {
   try {
     if (extension == ".stl" || extension == ".obj") return read_by_cgal(path, extension);
-    std::ifstream file(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::string text = text_of(path);
     return extension == ".off" ? read_off(text) : read_ply(text);
   } catch (const std::exception& error) {
     refuse_file(path, std::string("cannot be read: ") + error.what());

@@ -273,6 +273,16 @@ TEST_F(ReadMesh, RefusesDamagedFiles) {
   }
 }
 
+TEST_F(ReadMesh, TellsAnEmptyStlFromADamagedOne) {
+  const Mesh none{Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xi(3, 0)};
+  for (const std::string& text : {std::string(), ascii_stl(none), binary_stl(none, "binary")})
+    EXPECT_NE(error_of_file(write("empty.stl", text)).find("is empty: it has no triangle"),
+              std::string::npos);
+  for (const std::string text : {"this is not a mesh", "solid of a CAD that was cut short"})
+    EXPECT_NE(error_of_file(write("text.stl", text)).find("it is damaged, or its format"),
+              std::string::npos);
+}
+
 TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {
   Mesh mesh = tetrahedron();
   mesh.vertices(1, 2) = kInf;
