@@ -1038,8 +1038,9 @@ void bind_rotations(py::module_& m) {
         Poses X(static_cast<std::size_t>(wxyz.shape(0)), Eigen::Isometry3d::Identity());
         for (std::size_t i = 0; i < X.size(); ++i) {
           const double* q = wxyz.data(static_cast<py::ssize_t>(i), 0);
-          X[i].linear() =
-              Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+          Eigen::Quaterniond unit(q[0], q[1], q[2], q[3]);
+          unit.coeffs().stableNormalize();
+          X[i].linear() = unit.toRotationMatrix();
         }
         return from_poses(X);
       },

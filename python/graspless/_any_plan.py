@@ -28,8 +28,8 @@ class AnyPlan:
 
     False unless solved. Two plans are equal if their files are. They may be copied and pickled, not
     hashed. Numbers are those of the file: a plan that is saved and loaded is equal, bit by bit. To
-    change a plan, assign to its attributes: arrays are copies, and a change inside of another one,
-    such as `plan.statistics.iterations = 0`, may not reach the file.
+    change a plan, assign to its attributes: arrays are copies, and a change inside of any other
+    attribute, such as `plan.statistics.iterations = 0`, may not reach the file.
     """
 
     kind: ClassVar[str]

@@ -13,6 +13,8 @@ from typing import Any
 
 from .errors import TaskError
 
+_LONGEST = 60  # characters of a value in a message
+
 
 def require_integer(name: str, value: Any, least: int, most: float = math.inf) -> int:
     """Returns the value; raises TaskError unless it is a whole number from `least` to `most`."""
@@ -53,8 +55,14 @@ def require_within(name: str, value: Any, least: float, most: float) -> None:
 def require_type(name: str, value: Any, *types: type) -> None:
     """Raises TaskError unless the value has one of the types, which the message names."""
     if not isinstance(value, types):
-        named = " or ".join(f"{t.__module__}.{t.__name__}".replace("._core", "") for t in types)
-        raise TaskError(f"{name}: {value!r}: should be a {named}")
+        named = " or ".join(map(_named, types))
+        given = repr(value)
+        given = given if len(given) <= _LONGEST else _named(type(value))
+        raise TaskError(f"{name}: {given}: should be a {named}")
+
+
+def _named(kind: type) -> str:
+    return f"{kind.__module__}.{kind.__name__}".replace("._core", "")
 
 
 def require_path(name: str, value: Any, other: str) -> str | Path:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -102,6 +103,13 @@ def write(path: str | Path, content: str | bytes) -> None:
             raise
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def to_stdout(text: str) -> None:
+    """Writes what would be a file to stdout, in UTF-8 like all files."""
+    if sys.stdout is not None:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(text.encode())
 
 
 def make_folder(path: Path) -> None:

@@ -110,6 +110,8 @@ def from_quaternion(wxyz: ArrayLike) -> Matrix:
 def to_quaternion(X_AB: ArrayLike) -> Matrix:
     """Returns the unit quaternions [..., 4] (w, x, y, z), w >= 0, of poses [..., 4, 4]."""
     X = np.asarray(X_AB, dtype=float)
+    if X.shape[-2:] != (4, 4):
+        raise TaskError(f"X_AB: shape {X.shape}: should be (..., 4, 4)")
     wxyz: Matrix = geometry.quaternions(X.reshape(-1, 4, 4)).reshape(*X.shape[:-2], 4)
     return wxyz
 

@@ -144,5 +144,6 @@ def test_rotations_are_those_of_scipy():
     first = np.argmax(np.abs(wxyz) > 1e-12, axis=1)
     assert (wxyz[np.arange(200), first] > 0).all()
     np.testing.assert_allclose(frames.from_quaternion(wxyz), X, atol=1e-14)
-    np.testing.assert_allclose(frames.from_quaternion(-3 * wxyz[7]), X[7], atol=1e-14)
+    for length in (-3, 1e-200, 1e200):
+        np.testing.assert_allclose(frames.from_quaternion(length * wxyz[7]), X[7], atol=1e-14)
     np.testing.assert_array_equal(frames.to_quaternion(X[7]), wxyz[7])

@@ -305,6 +305,14 @@ def test_names_that_stdout_cannot_write_become_escapes(shell, encoding):
     assert out.endswith("\\udce9.json\n")
 
 
+def test_what_would_be_a_file_is_utf8_on_stdout(shell):
+    named = "sed -i s/wam_joint_1/wam_j\u03a9/g plan.json"
+    export = "PYTHONIOENCODING=ascii graspless export plan.json --to csv -o -"
+    code, out, _ = shell(f"graspless plan task.yaml > /dev/null && {named} && {export}")
+    assert code == 0
+    assert "wam_j\u03a9" in out.splitlines()[0]
+
+
 def test_files_are_written_though_the_reader_has_gone(shell):
     pytest.importorskip("matplotlib")
     code, _, err = shell("graspless plan task.yaml --png a.png | true")

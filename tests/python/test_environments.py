@@ -164,7 +164,7 @@ def test_without_an_episode_a_reset_is_asked_for():
     env = made("Pick", render_mode="rgb_array")
     still = np.zeros(len(env.joint_names))
     for use in (lambda: env.step(still), env.expert, env.render):
-        with pytest.raises(TaskError, match="no episode has begun: should be reset first"):
+        with pytest.raises(TaskError, match="no episode is running: should be reset first"):
             use()
     env.reset(seed=2)
 

@@ -197,7 +197,7 @@ def test_a_misspelt_parameter_is_an_error(alone, name, reason):
 
 def test_a_parameter_of_another_type_is_told(alone, capfd):
     overrides = [Parameter("controllers", value=["arm"]), Parameter("arm.joints", value="elbow")]
-    node = GrasplessNode("typed", context=alone.context, parameter_overrides=overrides)
+    node = GrasplessNode(context=alone.context, parameter_overrides=overrides)
     try:
         assert not node.start()
     finally:

@@ -237,12 +237,12 @@ void PlaceSearch::append(const std::string& name, const Path& path, bool held, P
 }
 
 void PlaceSearch::fail(std::size_t tried, Plan& plan) const {
-  plan.status = clock_.was_interrupted() ? Status::interrupted : Status::no_place;
   const std::size_t given = places_.X_WO.size();
   plan.reason = tried == 0   ? "no place was tried"
                 : given == 1 ? "the object cannot be put down at its place"
                              : "none of the " + std::to_string(tried) + " places tried works";
   plan.reason += planning::obstruction(statistics_.refusals, clock_.ran_out());
+  plan.status = clock_.was_interrupted() ? Status::interrupted : Status::no_place;
 }
 
 Statistics PlaceSearch::statistics() {

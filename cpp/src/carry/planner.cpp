@@ -55,8 +55,8 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
     plan.status = Status::solved;
     plan.segments = {assemble(search, path)};
   } else {
-    plan.status = clock.was_interrupted() ? Status::interrupted : Status::not_found;
     plan.reason = failure(search, search.statistics(), clock.ran_out());
+    plan.status = clock.was_interrupted() ? Status::interrupted : Status::not_found;
   }
   plan.reached = search.reached();
   plan.statistics = search.statistics();

@@ -182,9 +182,9 @@ class Search {
   }
 
   void fail(std::size_t tried, Plan& plan) {
-    plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
     plan.reason = "none of " + std::to_string(tried) + " hand poses works" +
                   planning::obstruction(statistics_.refusals, clock_.ran_out());
+    plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
   }
 
   const Problem& problem_;

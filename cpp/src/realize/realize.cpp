@@ -38,10 +38,9 @@ void keep_better(const Attempts& attempt, Realization& result) {
 }
 
 std::string reason(planning::Clock& clock, const Misses& misses) {
-  const char* what = clock.was_interrupted() ? "interrupted" : "out of time";
-  return (clock.ran_out() ? std::string(what) + "; the farthest attempt ended at "
-                          : std::string()) +
-         misses.farthest();
+  if (!clock.ran_out()) return misses.farthest();
+  const std::string what = clock.was_interrupted() ? "interrupted" : "out of time";
+  return what + "; the farthest attempt ended at " + misses.farthest();
 }
 
 /// Fills the result; stops as soon as the fingertips hardly scrub.

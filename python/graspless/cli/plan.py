@@ -107,7 +107,7 @@ def _run(options: argparse.Namespace) -> int:
         written += draw(plan, options)
     finally:
         if to_stdout:
-            print(plan.to_json(), end="")
+            files.to_stdout(plan.to_json())
         summary = [report.as_text(plan, _told(plan)), report.verdict(plan, faults, edges)]
         if kept is not None:
             summary.append(f"kept: {kept}, the solved plan that was there before")

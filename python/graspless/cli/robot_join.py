@@ -96,7 +96,7 @@ def _join(options: argparse.Namespace) -> int:
         what = "neither robot has an SRDF, and this file would be read instead; remove it"
         raise TaskError(f"--output: {srdf}: {what}")
     if to_stdout:
-        print(resolved.urdf_text, end="")
+        files.to_stdout(resolved.urdf_text or "")
     else:
         files.write(path, resolved.urdf_text or "")
         if resolved.srdf_text:

@@ -183,7 +183,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     @property
     def _running(self) -> Running:
         if self._episode is None:
-            raise TaskError("no episode has begun: should be reset first")
+            raise TaskError("no episode is running: should be reset first")
         return self._episode
 
     def _prepare(self, random: np.random.Generator) -> None:

@@ -9,6 +9,7 @@ import re
 import sys
 from typing import TYPE_CHECKING
 
+from .. import files
 from .._commands import FOUND
 from .._given_plan import add_unchecked, checked_plan
 from ..errors import TaskError
@@ -128,7 +129,7 @@ def _run(options: argparse.Namespace) -> int:
         else:
             trajectory = export(plan, options.output, options.to, **given)
     if to_stdout:
-        sys.stdout.write(written)
+        files.to_stdout(written)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
     print(f"  {len(trajectory)} samples, {trajectory.duration:.2f} s", file=told)

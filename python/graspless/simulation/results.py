@@ -47,7 +47,7 @@ class Recording:
     planned_poses: Matrix | None = None
 
     def __repr__(self) -> str:
-        return f"<Recording of {len(self.times)} moments, {self.times[-1]:.2f} s>"
+        return f"<Recording of {len(self.times)} moments, {max(self.times, default=0):.2f} s>"
 
     @staticmethod
     def of_arm(rows: Sequence[tuple[float, Matrix, Matrix, str]]) -> Recording:

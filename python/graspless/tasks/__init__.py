@@ -88,7 +88,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         Parameters
         ----------
         problem : slide.Problem, pinch.Problem, fingertip.Problem, clasp.Problem or carry.Problem
-            Problem of any kind but chain.
+            Problem of any kind.
         options : slide.Options, ..., optional
             Settings of the search, of the problem's kind. The task keeps a copy.
         budget : planning.Budget, optional
@@ -154,7 +154,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         Parameters
         ----------
         search : str, optional
-            Search algorithm, by its name in the task file: "paper" or "fast".
+            Search algorithm, by its name in the task file, such as "paper" or "fast".
         seconds : float, optional
             Limit of time [s], finite and above 0.
         iterations : int, optional
