@@ -183,5 +183,19 @@ def three_fingers():
     return made
 
 
+def split_palm(driver=""):
+    """Three fingers on a palm, and two more on a part of it that `driver` or a joint of it turns."""
+    made = three_fingers()
+    made += box("part", "0 0 0.02", "0.02 0.02 0.04") + joint(
+        "turn", "revolute", "palm", "part", "0.08 0 0", "0 0 1", (-0.2, 1.6), driver
+    )
+    for name, y in (("ring", "0.02"), ("little", "-0.02")):
+        made += box(name, "0 0 0.025", "0.015 0.015 0.05")
+        made += joint(
+            f"{name}_joint", "revolute", "part", name, f"0 {y} 0.05", "1 0 0", (-0.2, 1.6)
+        )
+    return made
+
+
 def gripper(name="gripper", hand=None):
     return robot(name, base(), arm(), prismatic() if hand is None else hand)

@@ -55,6 +55,24 @@ def test_a_hand_by_its_name_has_fingers_of_many_joints():
     ]
 
 
+def test_a_part_of_the_palm_that_another_finger_moves_is_no_palm():
+    found = robot.inspect(read(small.gripper(hand=small.split_palm("opposed_near_joint"))))
+    made = found.robot
+    names = [made.joint_names[column] for column in made.group("arm")]
+    assert names == [f"joint_{i}" for i in range(6)]
+    assert list(found.clasp["fingers"]) == ["index_near", "middle_near", "ring", "little"]
+    assert len(made.group("hand")) == 8
+
+
+def test_a_short_chain_behind_a_long_one_is_asked_about():
+    made = read(small.gripper(hand=small.split_palm()))
+    with pytest.raises(ValueError, match="2 links may be the palm of a hand: palm, part; choose"):
+        robot.inspect(made)
+    found = robot.inspect(made, palm="palm")
+    assert len(found.robot.group("arm")) == 6
+    assert len(found.robot.group("hand")) == 9  # with the joint of the part
+
+
 def test_a_thumb_behind_the_origin_of_the_palm_is_no_bar():
     """As in a LEAP hand, whose palm has its origin between the fingers and the thumb."""
     hand = small.palm()

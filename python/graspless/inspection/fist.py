@@ -136,7 +136,7 @@ def find_fist(tree: Tree, palm: Palm) -> Fist:
         opened[column] = first + OPENED * (last - first)
         closed[column] = first + CLOSED * (last - first)
     thumb, is_sure = _thumb(fingers, opened, closed)
-    drivers = tree.drivers([body for finger in palm.fingers for body in finger.bodies])
+    drivers = palm.drivers(tree)
     _oppose(fingers, thumb, [name for name in drivers if name not in ends], opened, closed)
     _until_free(tree, palm, opened, closed)
     for name, q in (("open", opened), ("closed", closed)):

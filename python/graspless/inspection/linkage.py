@@ -24,7 +24,7 @@ BESIDE = 0.7  # cosine: directions from the middle of the palm to a bar and to i
 def without_linkage(tree: Tree, palm: Palm) -> Palm:
     """Returns the palm with fingers only.
 
-    A bar is moved by the same joint as a finger beside it, and does not reach as far. A motor's
+    A bar is moved by the same one joint as a finger beside it, and does not reach as far. A motor's
     horn or a flywheel turns about an axis through its own middle.
     """
     palm = _without_spinning(tree, palm)
@@ -38,10 +38,12 @@ def without_linkage(tree: Tree, palm: Palm) -> Palm:
     heights = [float(((cloud - base) @ out).max()) for cloud in clouds]
     aside = [_aside(cloud.mean(axis=0) - base, out) for cloud in clouds]
     moved_by = [tree.driver(finger.bodies[0]) for finger in palm.fingers]
+    joints = [len(tree.drivers(list(finger.bodies))) for finger in palm.fingers]
 
     def is_bar(i: int) -> bool:
         return any(
             i != j
+            and joints[i] == 1
             and moved_by[i] == moved_by[j]
             and heights[i] < SHORTER * heights[j]
             and aside[i] @ aside[j] > BESIDE

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -53,6 +54,13 @@ class Palm:
         lines = [tree.line(tree.parents[finger.bodies[0]]) for finger in moving]
         return next(link for link in lines[0] if all(link in line for line in lines))
 
+    def drivers(self, tree: Tree) -> list[str]:
+        """Independent joints of the fingers, and of the parts of the palm that carry them."""
+        start = len(tree.path(self.body))
+        ends = {body for finger in self.fingers for body in finger.bodies}
+        carriers = {body for end in ends for body in tree.path(end)[start:]}
+        return tree.drivers([*(carriers | ends)])
+
     def ordered(self, tree: Tree) -> tuple[Finger, Finger]:
         """Two fingers, the one that slides first: a fixed jaw, or the only one called left."""
         first, second = self.fingers
@@ -87,6 +95,8 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
         return _palm_at(tree, tree.body(index))
     forks = [body for body in tree.members if len(_shaped(tree, body)) > 1]
     last = [body for body in forks if not any(b in forks for b in tree.below(body)[1:])]
+    if len(last) == 1:
+        last = _palms_below(tree, last[0])
     if len(last) > 1:
         names = ", ".join(_palm_link(tree, body) for body in last)
         raise ValueError(
@@ -101,6 +111,56 @@ def find_palm(tree: Tree, link: str | None = None) -> Palm:
     found = _palm_at(tree, last[0])
     _require_fingers(tree, found)
     return replace(found, is_sure=_is_named(tree, found))
+
+
+def _palms_below(tree: Tree, last: int) -> list[int]:
+    """Returns the forks that may be the palm of the hand with the last fork of the tree.
+
+    A part that only joints of other fingers move belongs to a palm below it. A shorter chain than
+    the one that carries the fork below may be part of a finger.
+    """
+    forks = [body for body in tree.path(last) if len(_shaped(tree, body)) > 1]
+    while len(forks) > 1 and _is_part(tree, forks[-2], forks[-1]):
+        forks.pop()
+    path = tree.path(forks[-1])
+    ends = [0, *(path.index(fork) for fork in forks)]
+    chains = [len(tree.drivers(path[a + 1 : b + 1])) for a, b in pairwise(ends)]
+    longest = chains.index(max(chains))
+    if chains[longest] > chains[-1] and _most_joints(tree, forks[longest]) <= MANY:
+        return [forks[longest], forks[-1]]
+    return [forks[-1]]
+
+
+def _is_part(tree: Tree, below: int, fork: int) -> bool:
+    """True if each joint between two forks moves other branches of the lower one, too."""
+    between = tree.path(fork)[len(tree.path(below)) :]
+    carried = tree.below(between[0])
+    others = [body for body in tree.below(below)[1:] if body not in carried]
+    return set(tree.drivers(between)) <= set(tree.drivers(others))
+
+
+def _most_joints(tree: Tree, body: int) -> int:
+    """Largest number of independent joints of a branch of a body."""
+    return max(len(tree.drivers(list(f.bodies))) for f in _fingers(tree, _shaped(tree, body)))
+
+
+def _fingers(tree: Tree, children: list[int]) -> tuple[Finger, ...]:
+    """Returns the fingers that begin at bodies of a palm.
+
+    Beside two others, branches that have joints of their own are fingers on a part of the palm.
+    """
+    found = []
+    for child in children:
+        fork = child
+        while len(branches := _shaped(tree, fork)) == 1:
+            fork = branches[0]
+        joints = [set(tree.drivers(tree.below(branch))) for branch in branches]
+        shared = {name for name in set().union(*joints) if sum(name in own for own in joints) > 1}
+        if len(children) > 2 and len(branches) > 1 and all(own - shared for own in joints):
+            found += [finger for branch in branches for finger in _fingers(tree, [branch])]
+        else:
+            found.append(Finger(tuple(tree.below(child))))
+    return tuple(found)
 
 
 def _require_fingers(tree: Tree, palm: Palm) -> None:
@@ -142,7 +202,7 @@ def _palm_at(tree: Tree, body: int) -> Palm:
         raise ValueError(f"palm: {name}: {what}; {JOIN}")
     if len(children) == 1:
         return _jaws(tree, body, children[0], is_sure=False)
-    fingers = tuple(Finger(tuple(tree.below(child))) for child in children)
+    fingers = _fingers(tree, children)
     reason = f"{name} is the last link that carries several moving ones"
     return Palm(body, fingers, reason)
 
