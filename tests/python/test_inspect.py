@@ -453,6 +453,22 @@ def test_command_writes_what_plan_takes(tmp_path, capsys, monkeypatch):
     assert "# mine" not in hand.read_text()
 
 
+def test_command_tells_faults_of_its_own_files(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    hand = small.three_fingers().replace(
+        "0.09 0.1 0.04", "0.02 0.1 0.04"
+    )  # smaller than its joints
+    (tmp_path / "mine.urdf").write_text(small.gripper(hand=hand))
+    assert cli.main(["robot", "inspect", "mine.urdf"]) == 1
+    said = capsys.readouterr().out.splitlines()
+    told = [line.removeprefix("fault: ") for line in said if line.startswith("fault: ")]
+    assert "fingers.index_near[0]: lies outside the collision shapes of palm" in told[0]
+    assert cli.main(["robot", "check", "mine/mine.urdf"]) == 1
+    assert capsys.readouterr().out.splitlines() == told
+    assert cli.main(["robot", "inspect", "mine.urdf", "--json"]) == 1
+    assert json.loads(capsys.readouterr().out)["faults"] == told
+
+
 def test_command_as_json(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.urdf").write_text(small.gripper())
@@ -460,7 +476,7 @@ def test_command_as_json(tmp_path, capsys, monkeypatch):
     document = json.loads(capsys.readouterr().out)
     assert document["hand"]["fingertip"] == "left_fingertip"
     assert all((tmp_path / path).is_file() for path in document["files"])
-    assert document["kept"] == []
+    assert document["kept"] == document["faults"] == []
     (tmp_path / "mine" / "mine.srdf").write_text("mine")
     assert cli.main(["robot", "inspect", "mine.urdf", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["kept"] == ["mine/mine.srdf~"]

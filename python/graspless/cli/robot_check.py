@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from .._commands import FOUND, NOT_FOUND
 from ..errors import TaskError
-from .robot_inspect import add_robot, read_robot
+from .robot_inspect import add_robot, faults_of, read_robot
 
 if TYPE_CHECKING:
     import argparse
@@ -47,7 +47,7 @@ def _run(options: argparse.Namespace) -> int:
         raise TaskError(
             f"robot check: neither {beside[0]} nor {beside[1]} exists; {_instead(robot)}"
         )
-    found = [f"{file}: {fault}" for file in files for fault in _faults(robot, file)]
+    found = [f"{file}: {fault}" for file in files for fault in faults_of(robot, file)]
     if options.json:
         print(json.dumps({"holds": not found, "faults": found}))
     else:
@@ -66,20 +66,3 @@ def _instead(robot: Robot) -> str:
     except ValueError as error:
         return str(error)
     return "graspless robot inspect writes them"
-
-
-def _faults(robot: Robot, file: Path) -> list[str]:
-    """Returns what is wrong with a file of a hand, for slides or for clasps."""
-    from ..inspection import check
-    from ..tasks.clasp.hand import Hand as ClaspHand
-    from ..tasks.clasp.hand import build_hand as build_clasp_hand
-    from ..tasks.reading import read_yaml
-    from ..tasks.slide.build import build_hand
-    from ..tasks.slide.model import Hand
-
-    source = read_yaml(file)
-    if "thumb" in source.given():
-        fields = source.validate(ClaspHand)
-        return check.clasp_faults(robot, build_clasp_hand(fields, robot, source, ()))
-    given = source.validate(Hand)
-    return check.faults(robot, build_hand(given, robot, source), given.pitch)

@@ -9,7 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .._commands import FOUND, add_packages, add_trust, given_packages
+from .._commands import FOUND, NOT_FOUND, add_packages, add_trust, given_packages
 from ..errors import TaskError, one_of
 
 if TYPE_CHECKING:
@@ -27,7 +27,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Propose what a URDF does not contain: joints of arm and hand, open and closed states, "
         "frames of fingertip and grasp, a home, and pairs of links that need no test. The files "
-        "that are written are ready for tasks."
+        "that are written are ready for tasks. The exit code is 1 if `robot check` finds a fault "
+        "in them."
     )
     parser.epilog = EXAMPLE
     add_robot(parser)
@@ -108,6 +109,23 @@ def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
             )
 
 
+def faults_of(robot: Robot, file: Path) -> list[str]:
+    """Returns what is wrong with a file of a hand, for slides or for clasps."""
+    from ..inspection import check
+    from ..tasks.clasp.hand import Hand as ClaspHand
+    from ..tasks.clasp.hand import build_hand as build_clasp_hand
+    from ..tasks.reading import read_yaml
+    from ..tasks.slide.build import build_hand
+    from ..tasks.slide.model import Hand
+
+    source = read_yaml(file)
+    if "thumb" in source.given():
+        fields = source.validate(ClaspHand)
+        return check.clasp_faults(robot, build_clasp_hand(fields, robot, source, ()))
+    given = source.validate(Hand)
+    return check.faults(robot, build_hand(given, robot, source), given.pitch)
+
+
 def _run(options: argparse.Namespace) -> int:
     from .. import files, progress
     from ..report import inspection as report
@@ -130,6 +148,8 @@ def _run(options: argparse.Namespace) -> int:
             raise TaskError(f"{name}: {error}") from None
     kept = _kept(found.files(), folder)
     written = found.write(folder)
+    hands = [path for path in written if path.suffix == ".yaml"]
+    faults = [f"{path}: {fault}" for path in hands for fault in faults_of(found.robot, path)]
     if find_spec("matplotlib") is not None:
         from ..view import figures
 
@@ -138,15 +158,17 @@ def _run(options: argparse.Namespace) -> int:
         written.append(picture)
     if options.json:
         paths = {"files": [*map(str, written)], "kept": [*map(str, kept)]}
-        print(json.dumps(found.to_dict() | paths))
+        print(json.dumps(found.to_dict() | paths | {"faults": faults}))
     else:
         print(report.as_text(found))
         print("\n".join(f"written: {path}" for path in written))
         for path in kept:
             print(f"kept: {path}, as it was before")
+        for fault in faults:
+            print(f"fault: {fault}")
     if options.serve is not None:
         found.serve(options.serve)
-    return FOUND
+    return NOT_FOUND if faults else FOUND
 
 
 def _kept(texts: dict[str, str], folder: Path) -> list[Path]:
