@@ -71,11 +71,24 @@ def test_faulty_names_are_taken_names():
 
 def test_the_title_of_a_picture_names_only_frames_that_are_drawn():
     for hand, title in {
-        small.prismatic(): "mine: X red, Y green, Z blue, of left_fingertip and grasp",
+        small.prismatic(): "mine: F left_fingertip, H grasp; X red, Y green, Z blue",
         small.three_fingers(): "mine",
     }.items():
         found = inspected(small.gripper(hand=hand), name="mine")
-        assert title in [text.get_text() for text in found.plot().findobj(Text)]
+        shown = [text.get_text() for text in found.plot().findobj(Text)]
+        assert title in shown
+        assert [shown.count(letter) for letter in "FH"] == [3 if found.hand else 0] * 2
+
+
+def test_hands_are_seen_from_the_side_of_the_fingers():
+    plain = small.gripper(hand=small.three_fingers())
+    mount = '<joint name="mount" type="fixed"><origin xyz="0 0 0.03"'
+    assert mount in plain
+    turned = plain.replace(mount, f'{mount} rpy="0 0 1.5707963267948966"')
+    first, second = (
+        inspected(urdf).plot().axes[0].images[0].get_array() for urdf in (plain, turned)
+    )
+    assert np.abs(first - second).mean() < 1e-3  # but for pixels on edges
 
 
 def test_an_srdf_without_elements_is_completed():

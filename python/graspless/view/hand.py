@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 
 AXES: tuple[Color, ...] = ((0.85, 0.15, 0.15), (0.15, 0.6, 0.2), (0.15, 0.3, 0.85))
 PANEL = (460, 460)  # pixels
-AXIS = 0.35  # length of an axis, relative to the hand
-THICKNESS = 0.06  # radius of an axis, relative to its length
+AXIS = 0.2  # length of an axis, relative to the hand
+LETTER = 0.4  # distance of a frame's letter behind its origin along each axis, relative to that
+THICKNESS = 0.08  # radius of an axis, relative to its length
 
 
 class Proposal(Protocol):
@@ -51,10 +52,14 @@ def draw(proposal: Proposal) -> Figure:
     figure = new_figure(4.6 * len(states), 5.0)
     for k, state in enumerate(states):
         axes = figure.add_axes((k / len(states), 0.0, 1 / len(states), 0.84))
-        draw_panel(axes, shown.picture(state), state, pad=3)
+        picture, letters = shown.picture(state)
+        draw_panel(axes, picture, state, pad=3)
+        for letter, (x, y) in letters.items():
+            axes.text(x, y, letter, color=INK, fontsize=11, weight="bold", ha="center", va="center")
     title = proposal.name
     if shown.frames:
-        title += f": X red, Y green, Z blue, of {' and '.join(shown.frames)}"
+        named = ", ".join(f"{letter} {name}" for letter, name in shown.frames.items())
+        title += f": {named}; X red, Y green, Z blue"
     figure.suptitle(title, x=0.02, y=0.97, ha="left", fontsize=12, color=INK)
     return figure
 
@@ -65,12 +70,14 @@ class _Hand:
     def __init__(self, proposal: Proposal) -> None:
         self.robot = proposal.robot
         self.bodies = robot_bodies(self.robot, None)
-        named = (proposal.hand.get("fingertip"), proposal.hand.get("grasp_frame"))
-        self.frames = [name for name in named if name is not None]
+        fields = {"F": "fingertip", "H": "grasp_frame"}
+        given = proposal.hand
+        self.frames = {k: given[field] for k, field in fields.items() if field in given}
         self.hand = set(proposal.hand_links)
+        self.clasp = proposal.clasp
 
-    def picture(self, state: str) -> Matrix:
-        """Renders the hand in a state; all of the robot at home."""
+    def picture(self, state: str) -> tuple[Matrix, dict[str, Matrix]]:
+        """Renders the hand in a state, all of the robot at home; and where F and H are [pixels]."""
         q = self.robot.state(state)
         names = self.robot.frame_names
         X_WL = [np.asarray(self.robot.pose(link, q)) for link in range(len(names))]
@@ -81,10 +88,20 @@ class _Hand:
         ]
         points = vertices_of(wanted)
         size = float(np.ptp(points, axis=0).max()) if state != "home" else 0.3
-        wanted += [(axes_body(AXIS * size), X_WL[names.index(name)]) for name in self.frames]
-        X_WH = X_WL[names.index(self.frames[-1])] if self.frames else np.eye(4)
-        camera = _camera(vertices_of(wanted), X_WH, state == "home")
-        return raster.render(wanted, camera, *PANEL)
+        frames = {letter: X_WL[names.index(name)] for letter, name in self.frames.items()}
+        wanted += [(axes_body(AXIS * size), X_WF) for X_WF in frames.values()]
+        camera = _camera(vertices_of(wanted), self._across(X_WL), state == "home")
+        ends = {letter: X_WF @ [*[-LETTER * AXIS * size] * 3, 1] for letter, X_WF in frames.items()}
+        letters = {k: camera.project(p[None, :3], *PANEL)[0, :2] for k, p in ends.items()}
+        return raster.render(wanted, camera, *PANEL), letters
+
+    def _across(self, X_WL: list[Matrix]) -> Matrix:
+        """Columns: along the axes that the fingers bend about, across them, and to their tips."""
+        if not self.clasp:
+            return np.eye(3)
+        R_WP = X_WL[self.robot.frame_names.index(self.clasp["frame"])][:3, :3]
+        sideways, forward = R_WP @ self.clasp["sideways"], R_WP @ self.clasp["forward"]
+        return np.column_stack([sideways, np.cross(forward, sideways), forward])
 
 
 def axes_body(length: float, name: str = "axes") -> Body:
@@ -96,11 +113,11 @@ def axes_body(length: float, name: str = "axes") -> Body:
     return Body(name, parts)
 
 
-def _camera(points: Matrix, X_WH: Matrix, whole: bool) -> Camera:
+def _camera(points: Matrix, R_WH: Matrix, whole: bool) -> Camera:
     """Looks across the plane in which the fingers move; at the whole robot from its side."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = float(np.linalg.norm(high - low))
-    direction = np.array([0.7, -1.0, 0.5]) if whole else X_WH[:3, :3] @ [1.0, 0.35, -0.25]
+    direction = np.array([0.7, -1.0, 0.5]) if whole else R_WH @ [1.0, 0.2, -0.15]
     if abs(direction[2]) > 0.95 * np.linalg.norm(direction):
         direction = direction + np.array([0.3, 0.2, 0.0])
     middle = (low + high) / 2
