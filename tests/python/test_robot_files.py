@@ -183,7 +183,9 @@ def test_stock_srdf_is_read_and_its_faults_are_told(folder):
         "<group_state name='open' group='hand'><joint name='slide' value='0.04'/></group_state>"
         "<group_state name='wide' group='hand'><joint name='slide' value='9'/></group_state></robot>"
     )
-    with pytest.warns(UserWarning, match="the URDF has no joint 'none'; skipped and 2 more"):
+    with pytest.warns(
+        UserWarning, match="the URDF has no joint 'none'; skipped. Robot.warnings has 2 more$"
+    ):
         gripper = built(folder, {"urdf": "gripper.urdf"})
     assert len(gripper.warnings) == 3
     assert gripper.group_names == ["hand"]
@@ -271,6 +273,30 @@ def test_refuses_grippers(folder, change, message):
 def test_refuses_fields_of_robots(given, message):
     with pytest.raises(ValueError, match=message):
         Robot.model_validate(given)
+
+
+def test_faults_of_a_gripper_are_told_of_its_file(folder):
+    file = folder / "my_arm/urdf/arm.urdf"
+    file.write_text(ARM.replace("floating", "fixed"))
+    given = {"arm": str(file), "gripper": {"file": "gripper.urdf", "mount": "tool"}}
+    place = r"robot.gripper.file: gripper.urdf: "
+    limits = 'lower="0" upper="0.04" velocity="1" effort="1"'
+    for change, fault in (
+        ('lower="1" upper="0"', "joint 'slide': lower"),
+        ('lower="-1e308" upper="1"', "joint 'slide' has a limit of -1e.308"),
+    ):
+        (folder / "gripper.urdf").write_text(GRIPPER.replace('lower="0" upper="0.04"', change))
+        with pytest.raises(TaskError, match=place + fault):
+            built(folder, given)
+    (folder / "gripper.urdf").write_text(GRIPPER.replace(limits, limits.replace('t="1"', 't="-5"')))
+    with pytest.warns(UserWarning, match=place + "the effort limit of joint 'slide' is -5"):
+        built(folder, given)
+    (folder / "gripper.urdf").write_text(GRIPPER)
+    file.write_text(ARM.replace("floating", "fixed").replace('effort="1"', 'effort="-5"'))
+    with pytest.warns(
+        UserWarning, match=r"robot.arm: .*arm.urdf: the effort limit of joint 'turn'"
+    ):
+        built(folder, given)
 
 
 def test_join_warns_of_millimetres_and_degrees(folder, capsys, monkeypatch):

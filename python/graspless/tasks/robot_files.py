@@ -39,8 +39,11 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
     field = next(name for name in ("urdf", "name", "arm") if getattr(robot, name) is not None)
     path: Path | None
     description, path = _read(robot, field, ("robot", field), source, directory)
+    of_gripper: frozenset[str] = frozenset()
     if robot.gripper is not None:
-        description, path = _with_gripper(description, robot.gripper, source, directory)
+        arm = description
+        description, path = _with_gripper(arm, robot.gripper, source, directory)
+        of_gripper = frozenset(_names(description) - _names(arm))
     emptied = dict.fromkeys(("urdf", "name", "arm", "gripper", "srdf"))
     resolved = robot.model_copy(
         update=emptied
@@ -52,6 +55,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
             "xacro_args": {},
         }
     )
+    resolved._of_gripper = of_gripper
     with at(source, "robot", field):
         meshes = robot_meshes(resolved)
     if any(path.suffix.lower() in FOREIGN for path in meshes):
@@ -77,6 +81,12 @@ def _with_gripper(
 
 def _links(description: robots.Description) -> set[str]:
     return {link.get("name", "") for link in parse(description.urdf).iterfind("link")}
+
+
+def _names(description: robots.Description) -> set[str]:
+    """Returns the names in the URDF and the SRDF of a robot."""
+    texts = [text for text in (description.urdf, description.srdf) if text]
+    return {element.get("name", "") for text in texts for element in parse(text).iter()}
 
 
 def _read(

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
+import re
 import threading
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import numpy as np
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, PrivateAttr, Tag, model_validator
 
 from .._core import robot as robots
 from .._xml import parse
@@ -105,6 +106,8 @@ class Robot(Fields):
         description="configuration at the start: a state of the SRDF, {joint: value} or all joints",
     )
 
+    _of_gripper: frozenset[str] = PrivateAttr(default=frozenset())  # names in its files alone
+
     @model_validator(mode="after")
     def _check(self) -> Robot:
         self.one_of("urdf", "name", "arm", "urdf_text")
@@ -132,27 +135,33 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
             built = _built(robot)
         except ValueError as error:
             text = str(error).removeprefix("X_WB ")
-            raise source.error(_place(str(error), source), text) from None
-    require_limits(built, ("robot", field), source)
+            raise source.error(_place(str(error), robot, source), text) from None
+    require_limits(built, lambda what: _place(what, robot, source), source)
     if warn and field != "urdf_text":  # a plan was made in spite of them
-        _warn_of_what_was_ignored(built, source)
-        warn_of_limits(built, ("robot", field), source)
+        _warn_of_what_was_ignored(built, robot, source)
+        warn_of_limits(built, lambda what: _place(what, robot, source), source)
     return built
 
 
-def _warn_of_what_was_ignored(built: robots.Robot, source: Source) -> None:
+def _warn_of_what_was_ignored(built: robots.Robot, robot: Robot, source: Source) -> None:
     if not built.warnings:
         return
-    more = f" and {len(built.warnings) - 1} more (Robot.warnings)" if built.warnings[1:] else ""
-    source.warn(_place(built.warnings[0], source), f"{built.warnings[0]}{more}")
+    first, *others = built.warnings
+    more = f". Robot.warnings has {len(others)} more" if others else ""
+    source.warn(_place(first, robot, source), f"{first}{more}")
 
 
-def _place(fault: str, source: Source) -> tuple[str, str]:
+def _place(fault: str, robot: Robot, source: Source) -> tuple[str, ...]:
     """Returns the field that has a fault, or names the file that has it."""
     if fault.startswith("X_WB"):
         return "robot", "pose"
-    is_srdf = fault.startswith("SRDF") and "srdf" in source.given("robot")
-    return "robot", "srdf" if is_srdf else given_field(source)
+    place, field = ("robot",), given_field(source)
+    named = re.search(r"'(.*?)'", fault)
+    if named and named[1] in robot._of_gripper:
+        given = source.given("robot", "gripper")
+        place, field = ("robot", "gripper"), "file" if "file" in given else "name"
+    is_srdf = fault.startswith("SRDF") and "srdf" in source.given(*place)
+    return *place, "srdf" if is_srdf else field
 
 
 def _built(robot: Robot) -> robots.Robot:

@@ -12,6 +12,8 @@ import numpy as np
 from .source import LARGEST
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from .._core.robot import Robot
     from .shapes import Pose
     from .source import Location, Source
@@ -42,18 +44,21 @@ def warn_of_angle(angle: float, location: Location, source: Source) -> None:
         source.warn(location, "is more than a turn; angles are in radians")
 
 
-def require_limits(robot: Robot, location: Location, source: Source) -> None:
-    """Raises TaskError if a joint has a limit too large to compute with."""
+def require_limits(robot: Robot, place: Callable[[str], Location], source: Source) -> None:
+    """Raises TaskError if a joint has a limit too large to compute with.
+
+    `place` returns the field that a message is about.
+    """
     for name, limits in zip(robot.joint_names, np.c_[robot.lower, robot.upper], strict=True):
         most = max(limits, key=abs)
         if abs(most) > LARGEST:
             what = (
                 f"joint '{name}' has a limit of {most:g}: should lie in [{-LARGEST:g}, {LARGEST:g}]"
             )
-            raise source.error(location, what)
+            raise source.error(place(what), what)
 
 
-def warn_of_limits(robot: Robot, location: Location, source: Source) -> None:
+def warn_of_limits(robot: Robot, place: Callable[[str], Location], source: Source) -> None:
     """Warns of limits of turning joints that look like degrees."""
     most = np.maximum(np.abs(robot.lower), np.abs(robot.upper))
     wide = np.flatnonzero((most > LARGEST_TURN) & (robot.step_weights == 1))
@@ -61,4 +66,4 @@ def warn_of_limits(robot: Robot, location: Location, source: Source) -> None:
         k = wide[0]
         more = f", and {len(wide) - 1} more are like it" if len(wide) > 1 else ""
         what = f"joint '{robot.joint_names[k]}' turns from {robot.lower[k]:g} to {robot.upper[k]:g}"
-        source.warn(location, f"{what} rad{more}; limits in a URDF are in radians")
+        source.warn(place(what), f"{what} rad{more}; limits in a URDF are in radians")
