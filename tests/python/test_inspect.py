@@ -235,6 +235,10 @@ def test_three_fingers_close_against_a_thumb():
     assert (made.state("open")[hand] < 0.2).all()
     assert (made.state("closed")[hand] > 1.2).all()
     build_clasp_hand(ClaspHand(**found.clasp), made, Source("test", {}), ())
+    values = {finding.field: finding for finding in found.findings}
+    assert values["state open"].value.startswith("index_near_joint -0.02, index_far_joint 0.16, ")
+    assert not values["grip force"].is_sure  # 50 Nm at 5 cm
+    assert "few grippers are as strong" in values["grip force"].reason
 
 
 @pytest.mark.parametrize("name", ["kr5_sdh", "kr5_dlr", "kr5_icub", "kr5_armar"])

@@ -14,6 +14,7 @@ import inspect_common as small
 from graspless import _data, pinch, robot
 from graspless.errors import TaskError
 from graspless.tasks import task_from_dict
+from graspless.tasks.grip import ends_of_curves, weakest_joint
 from tasks_common import pixels, read_png, recording
 
 TASK = {
@@ -217,6 +218,27 @@ def test_a_limit_of_effort_that_no_gripper_has_is_told(tmp_path, task, instead):
         warnings.simplefilter("error")
         task_from_dict(told.to_dict(), "plan")  # of what a plan file has, it was told before
         task_from_dict(task | {"robot": with_effort(tmp_path, 20)}, "task", resolve=True)
+
+
+def test_limits_of_several_fingers_are_told_once_with_the_largest_force(tmp_path):
+    for part in (".urdf", ".srdf", ".clasp.yaml"):
+        text = (_data.directory("urdf") / f"kr5_sdh{part}").read_text()
+        strong = re.sub(r'effort="(1\.4|2\.1)"', 'effort="1000"', text)
+        (tmp_path / f"mine{part}").write_text(strong)
+    given = CLASP | {"robot": {"urdf": str(tmp_path / "mine.urdf")}}
+    with pytest.warns(UserWarning, match="a finger presses with") as said:
+        made = task_from_dict(given, "task", resolve=True).problem
+    assert len(said) == 1
+    told = float(re.search(r"presses with (\d+) N", str(said[0].message))[1])
+    made_robot, hand = made.robot, made.hand
+    q = [np.array(made_robot.state(name)) for name in (hand.open, hand.closed)]
+    moving = [made_robot.joint_names[i] for i in np.flatnonzero(q[0] != q[1])]
+    forces = [
+        weakest_joint(made_robot, moving, sum(q) / 2, ends_of_curves(hand, finger))[1]
+        for finger in hand.fingers
+    ]
+    assert len(forces) > 1
+    assert told == pytest.approx(max(forces), abs=0.5)
 
 
 def test_a_given_force_needs_no_limit_of_effort(tmp_path):

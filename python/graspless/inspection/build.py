@@ -15,7 +15,7 @@ from .arm import find_arm, find_home, often_touching
 from .curves import fist_fields, jaw_fields
 from .files import free_name, group_names, make_srdf, with_frames
 from .fist import find_fist
-from .grip import describe_grip
+from .grip import describe_fist, describe_grip
 from .jaws import Jaws, find_jaws
 from .linkage import without_linkage
 from .pairs import find_pairs, touching
@@ -127,9 +127,9 @@ class _Builder:
         self.find("thumb", thumb, "the finger that the others close against", fist.is_sure)
         self.find("fingers", ", ".join(self.clasp["fingers"]), "a curve through the joints of each")
         for state, q in (("open", fist.open), ("closed", fist.closed)):
-            columns = [self.robot.joint(name) for name in fist.drivers]
             why = f"joints that bend the fingers are near their {state} limits"
-            self.find(f"state {state}", ", ".join(f"{v:.2f}" for v in q[columns]), why)
+            self.find(f"state {state}", self._shown(q), why)
+        self.find("grip force", *describe_fist(tree, fist))
         for field, why in (
             ("forward", "from the joints at the palm to the tips of the half closed hand"),
             ("sideways", "along most axes of the fingers' joints"),
@@ -236,14 +236,10 @@ class _Builder:
             self.find(field, f"{name} in {parent} at ({at}) mm", why, jaws.is_aligned)
 
     def _describe_states(self, jaws: Jaws) -> None:
-        columns = [self.robot.joint(name) for name in jaws.drivers]
         for field, q, gap, why in (
             ("open", jaws.open, jaws.opening, "the tips are farthest apart"),
             ("closed", jaws.closed, jaws.smallest, "just before the fingers touch"),
         ):
-            values = ", ".join(
-                f"{n} {v:.4g}" for n, v in zip(jaws.drivers, q[columns], strict=True)
-            )
             if self.tree.state(field, jaws.drivers) is not None:
                 why = "a state of the SRDF"
             elif field == "closed" and not jaws.touches:
@@ -251,7 +247,11 @@ class _Builder:
             can_hold = field == "open" or gap < THIN
             if not can_hold:
                 why += f"; an object thinner than {_mm(gap)} cannot be held"
-            self.find(f"state {field}", f"{values} (gap {_mm(gap)})", why, can_hold)
+            self.find(f"state {field}", f"{self._shown(q)} (gap {_mm(gap)})", why, can_hold)
+
+    def _shown(self, q: Matrix) -> str:
+        """Joints of the hand with their values."""
+        return ", ".join(f"{name} {q[self.robot.joint(name)]:.4g}" for name in self.drivers)
 
     def _hand_states(self) -> list[tuple[str, str, dict[str, float]]]:
         return [

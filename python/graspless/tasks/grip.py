@@ -54,29 +54,53 @@ def forces(
     return found
 
 
-def warn_of_grip(
-    robot: Robot, hand: Hand | ClaspHand, ends: tuple[End, End], source: Source, instead: str = ""
-) -> None:
-    """Warns of an effort limit with which two fingers press harder than most grippers do.
+def weakest_joint(
+    robot: Robot, joints: Iterable[str], half: Matrix, ends: tuple[End, End]
+) -> tuple[str, float] | None:
+    """Returns the joint that limits the force of two fingers, and that force [N].
 
-    `instead` says what else than the limit may be given.
+    None if no effort limit is known. The arguments are as in `forces`.
+    """
+    found = forces(robot, joints, half, lambda q: _distance(robot, ends, q))
+    known = [(force, name) for name, force in found.items() if math.isfinite(force)]
+    return min(known)[::-1] if known else None
+
+
+def warn_of_grip(
+    robot: Robot,
+    hand: Hand | ClaspHand,
+    pairs: Iterable[tuple[End, End]],
+    source: Source,
+    instead: str = "",
+) -> None:
+    """Warns of an effort limit with which a finger presses harder than most grippers do.
+
+    Parameters
+    ----------
+    robot : Robot
+    hand : slide.Hand or clasp.Hand
+    pairs : iterable of (End, End)
+        Ends of fingers that press against each other.
+    source : Source
+    instead : str
+        Says what else than the limit may be given.
     """
     field = given_field(source)
     if field == "urdf_text":  # a plan was made in spite of it
         return
     opened, closed = (np.array(robot.state(name)) for name in (hand.open, hand.closed))
     moving = [robot.joint_names[i] for i in np.flatnonzero(opened != closed)]
-    found = forces(robot, moving, (opened + closed) / 2, lambda q: _distance(robot, ends, q))
-    known = {name: force for name, force in found.items() if math.isfinite(force)}
-    weakest = min(known, key=lambda name: known[name], default="")
-    if not weakest or known[weakest] <= STRONGEST:
+    found = [weakest_joint(robot, moving, (opened + closed) / 2, ends) for ends in pairs]
+    name, force = max((f for f in found if f), key=lambda f: f[1], default=("", 0.0))
+    if force <= STRONGEST:
         return
-    index, place = robot.joint(weakest), "gripper" if "gripper" in source.given("robot") else field
+    index, place = robot.joint(name), "gripper" if "gripper" in source.given("robot") else field
+    presses = "a finger presses" if len(found) > 1 else "each finger presses"
     unit = "N" if robot.step_weights[index] > 1 else "Nm"
     source.warn(
         ("robot", place),
-        f"joint '{weakest}' has an effort limit of {robot.max_effort[index]:g} {unit}, with which "
-        f"each finger presses with {known[weakest]:.0f} N; few grippers are stronger than "
+        f"joint '{name}' has an effort limit of {robot.max_effort[index]:g} {unit}, with which "
+        f"{presses} with {force:.0f} N; few grippers are stronger than "
         f"{STRONGEST:g} N: write the real limit into the URDF{instead}",
     )
 

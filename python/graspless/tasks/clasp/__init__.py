@@ -92,9 +92,8 @@ def require_resolved(fields: ClaspTask, source: Source) -> None:
 def build(fields: ClaspTask, source: Source, other: Source) -> tuple[clasp.Problem, None]:
     """Returns the problem of resolved fields. `other` is the source of the hand."""
     problem = build_problem(fields, source, other)
-    for finger in problem.hand.fingers:
-        ends = ends_of_curves(problem.hand, finger)
-        warn_of_grip(problem.robot, problem.hand, ends, source)
+    pairs = [ends_of_curves(problem.hand, finger) for finger in problem.hand.fingers]
+    warn_of_grip(problem.robot, problem.hand, pairs, source)
     return problem, None
 
 

@@ -28,7 +28,7 @@ def build(fields: PinchTask, source: Source, other: Source) -> tuple[pinch.Probl
     ends = ends_of_jaws(problem.robot, problem.hand)
     given = fields.options.model_dump(exclude_none=True)
     if ends is not None and "grip_force" not in given:
-        warn_of_grip(problem.robot, problem.hand, ends, source, ", or give grip_force")
+        warn_of_grip(problem.robot, problem.hand, [ends], source, ", or give grip_force")
     return problem, None
 
 
