@@ -11,6 +11,8 @@ import graspless
 from graspless import perception, slide
 from graspless.cli import main
 from graspless.errors import TaskError
+from graspless.perception import cli
+from graspless.view import perceived
 from pick_common import body
 
 # The far edge, at x = 1 m, stands against a wall: nothing can be slid over it.
@@ -218,10 +220,10 @@ def test_bad_files_are_refused(folder, capsys):
 
     np.savez(folder / "a.npz", depth=np.ones((480, 640)), K=np.eye(3))
     said = refused(folder / "a.npz")
-    assert said.endswith("a.npz: must have the arrays X_WC; it has depth, K\n")
+    assert said.endswith("a.npz: must have the array X_WC; it has depth, K\n")
     np.savez(folder / "b.npz", K=np.eye(3), X_WC=np.eye(4))
     said = refused(folder / "b.npz")
-    assert "b.npz: must have the arrays depth (or frames); it has K, X_WC; for an organised" in said
+    assert "b.npz: must have the array depth (or frames); it has K, X_WC; for an organised" in said
     both = {"depth": np.ones((480, 640)), "frames": np.ones((1, 480, 640))}
     np.savez(folder / "e.npz", K=np.eye(3), X_WC=np.eye(4), **both)
     assert "e.npz: has both depth and frames; it must have one" in refused(folder / "e.npz")
@@ -249,3 +251,59 @@ def test_bad_files_are_refused(folder, capsys):
         assert words in message
     assert main(["see", str(folder / "a.npz"), "-o", str(folder / "x.json")]) == 2
     assert "choices: .yaml, .yml" in capsys.readouterr().err
+
+
+def scene_of(outlines, height=0.0, **thing):
+    """A scene with objects of these outlines on a table."""
+    X_WS = np.eye(4)
+    X_WS[2, 3] = height
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    table = perception.Support(
+        name="support_0", polygon=square, edges=[perception.EdgeLabel.real] * 4, X_WS=X_WS,
+        height_error=0.0, angle_error=0.0, noise=0.001, least_thickness=0.002,
+    )  # fmt: skip
+    fields = {
+        "support": "support_0", "X_WO": X_WS, "thickness": 0.1, "thickness_error": 0.0005,
+        "is_flat": True, "position_error": 0.0, "yaw_error": 0.0, "points": np.zeros((1, 3)),
+    } | thing  # fmt: skip
+    objects = [
+        perception.Object(name=f"object_{k}", outline=ring, **fields)
+        for k, ring in enumerate(outlines)
+    ]
+    return perception.Scene(
+        status=perception.Status.found, reason="", supports=[table], objects=objects, unseen=[],
+        warnings=[],
+    )  # fmt: skip
+
+
+def turned(ring, yaw):
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.asarray(ring) @ [[c, s], [-s, c]]
+
+
+def test_the_size_is_that_of_the_smallest_rectangle_around_the_outline():
+    square, bar = (np.array([[0, 0], [a, 0], [a, b], [0, b]]) for a, b in ((8, 8), (3, 12)))
+    notched = np.array([[0, 0], [6, 0], [6, 9], [3, 5], [0, 9]])
+    rings = [turned(ring / 100, 0.6) for ring in (square, bar, notched)]
+    sizes = [line.split(": ")[1].split(",")[0] for line in cli._lines(scene_of(rings))[2:]]
+    assert sizes == ["8.0 cm x 8.0 cm", "12.0 cm x 3.0 cm", "9.0 cm x 6.0 cm"]
+
+
+def test_the_noise_is_not_given_as_the_error_of_a_quantile():
+    ring = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]
+    said = [cli._lines(scene_of([ring], is_flat=flat))[2] for flat in (True, False)]
+    assert said[0].endswith("100.0 +- 0.5 mm thick, flat")
+    assert said[1].endswith("100.0 mm thick (noise alone: +- 0.5 mm)")
+
+
+def test_a_height_of_zero_has_no_minus(monkeypatch):
+    ring = [[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]
+    scene = scene_of([ring], height=-1e-5, warnings=["touches the border"])
+    assert "height 0.000 m" in cli._lines(scene)[1]
+    drawn = []
+    monkeypatch.setattr(perceived, "as_png", drawn.append)
+    perceived.draw(scene)
+    assert drawn[0].axes[0].get_title(loc="left").startswith("support_0 at 0.000 m")
+    assert [text.get_text() for text in drawn[0].texts] == [
+        "(!): has warnings; graspless see prints them"
+    ]

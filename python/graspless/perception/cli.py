@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     import argparse
 
     from .._core.perception import Scene, View
+    from ..frames import Matrix
 
 CLOUDS = (".ply", ".pcd", ".xyz")
 MOST = 4_000_000_000  # bytes of the arrays in a file
@@ -171,7 +172,8 @@ def _view_of_arrays(path: Path) -> View:
     if missing:
         with np.load(path) as arrays:
             has = shorten(", ".join(arrays.files) or "none")
-        raise ValueError(f"must have the arrays {', '.join(missing)}; it has {has}{hint}")
+        what = f"array{'s' if len(missing) > 1 else ''} {', '.join(missing)}"
+        raise ValueError(f"must have the {what}; it has {has}{hint}")
     for name, array in found.items():
         if array.dtype.kind not in "fiu":
             raise ValueError(f"{name} has values of type {array.dtype}, not numbers")
@@ -190,16 +192,30 @@ def _lines(scene: Scene) -> list[str]:
             counts[str(label)] += 1
         edges = ", ".join(f"{count} {name}" for name, count in sorted(counts.items()))
         least = f"objects of {1000 * support.least_thickness:.1f} mm can be seen"
-        lines.append(
-            f"  {support.name}: height {support.X_WS[2, 3]:.3f} m; edges: {edges}; {least}"
-        )
+        height = round(support.X_WS[2, 3], 3) + 0.0  # no minus zero
+        lines.append(f"  {support.name}: height {height:.3f} m; edges: {edges}; {least}")
     for thing in scene.objects:
-        size = np.ptp(thing.outline, axis=0) * 100
-        thick = f"{1000 * thing.thickness:.1f} +- {1000 * thing.thickness_error:.1f} mm thick"
-        what = f"{size[0]:.1f} cm x {size[1]:.1f} cm, {thick}{', flat' if thing.is_flat else ''}"
-        lines.append(f"  {thing.name} on {thing.support}: {what}")
+        long, short = 100 * _sides(np.asarray(thing.outline))
+        top, error = 1000 * thing.thickness, 1000 * thing.thickness_error
+        # What is not flat has a quantile of its heights, whose bias the standard error lacks.
+        thick = f"{top:.1f} +- {error:.1f} mm thick, flat"
+        if not thing.is_flat:
+            thick = f"{top:.1f} mm thick (noise alone: +- {error:.1f} mm)"
+        lines.append(f"  {thing.name} on {thing.support}: {long:.1f} cm x {short:.1f} cm, {thick}")
         lines += [f"    warning: {text}" for text in thing.warnings]
     return lines + [f"warning: {text}" for text in scene.warnings]
+
+
+def _sides(outline: Matrix) -> Matrix:
+    """Returns the sides of the smallest rectangle around an outline, the longer one first [m]."""
+    from ..tasks.chain.lying import convex_hull
+
+    ring = convex_hull(outline)
+    along = np.roll(ring, -1, axis=0) - ring
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    sides = np.column_stack([np.ptp(ring @ along.T, axis=0), np.ptp(ring @ across.T, axis=0)])
+    return np.sort(sides[np.argmin(sides.prod(axis=1))])[::-1]
 
 
 def _summary(scene: Scene) -> dict[str, Any]:

@@ -41,6 +41,9 @@ def draw(scene: Scene) -> bytes:
     figure.legend(
         handles=lines, loc="lower center", ncols=3, frameon=False, title="edge of a support"
     )
+    if any(thing.warnings for thing in scene.objects):
+        about = "(!): has warnings; graspless see prints them"
+        figure.text(0.985, 0.02, about, ha="right", fontsize=9, color=INK)
     figure.subplots_adjust(left=0.08, right=0.97, bottom=0.17, top=0.9, wspace=0.2)
     return as_png(figure)
 
@@ -63,7 +66,8 @@ def _draw_support(axes: Any, support: Support, scene: Scene) -> None:
     axes.set_ylabel("y [m]", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)
     least = f"objects of {1000 * support.least_thickness:.1f} mm can be seen"
-    title = f"{support.name} at {support.X_WS[2, 3]:.3f} m; {least}"
+    height = round(support.X_WS[2, 3], 3) + 0.0  # no minus zero
+    title = f"{support.name} at {height:.3f} m; {least}"
     axes.set_title(title, fontsize=11, color=INK, loc="left")
 
 
@@ -71,9 +75,10 @@ def _draw_object(axes: Any, thing: Object) -> None:
     ring = _in_world(thing.X_WO, thing.outline)
     color = CUT if thing.touches_border else THING
     axes.fill(*ring.T, facecolor=color, edgecolor=INK, lw=0.8, alpha=0.85)
-    error = 1000 * thing.thickness_error
+    # Of what is not flat, the standard error is that of noise alone.
+    error = f" ± {1000 * thing.thickness_error:.1f}" if thing.is_flat else ""
     name = f"{thing.name} (!)" if thing.warnings else thing.name
-    text = f"{name}\n{1000 * thing.thickness:.1f} ± {error:.1f} mm"  # narrow: others may be near
+    text = f"{name}\n{1000 * thing.thickness:.1f}{error} mm"  # narrow: others may be near
     middle = (ring[:, 0].min() + ring[:, 0].max()) / 2
     axes.annotate(
         text, (middle, ring[:, 1].max()), xytext=(0, 4), textcoords="offset points",
