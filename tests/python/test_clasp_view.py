@@ -155,6 +155,20 @@ def test_tubes_have_their_radius():
     assert np.ptp(smooth(zigzag)[3:-3, 1]) < 0.02
 
 
+def test_the_legend_of_loops_is_beside_the_points(monkeypatch, plan):
+    from graspless.view import loops
+
+    drawn = []
+    monkeypatch.setattr(loops, "as_png", drawn.append)
+    thing = plan.task.problem.object
+    loops.draw(thing.points, thing.loops)
+    cloud, betti = drawn[0].axes
+    renderer = drawn[0].canvas.get_renderer()
+    legend = cloud.get_legend().get_window_extent(renderer)
+    assert legend.x0 >= cloud.get_window_extent(renderer).x1
+    assert legend.x1 <= betti.get_tightbbox(renderer).x0
+
+
 def test_loops_are_drawn_with_their_betti_curve(tmp_path):
     thing = purse()
     view.write_loops_png(thing.points, thing.loops, tmp_path / "a.png")

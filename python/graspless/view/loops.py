@@ -40,7 +40,7 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
     cloud = np.asarray(points, dtype=float)
     figure = new_figure(13, 6.2)
     grid = figure.add_gridspec(
-        1, 3, width_ratios=[1.2, 0.34, 1], left=0.01, right=0.985, bottom=0.09, top=0.9, wspace=0
+        1, 3, width_ratios=[1.2, 0.5, 1], left=0.01, right=0.985, bottom=0.09, top=0.9, wspace=0
     )
     rings = [np.asarray(loop.points) for loop in loops.found]
     axes = figure.add_subplot(grid[0])
@@ -51,7 +51,7 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
         axes.plot([], [], lw=3, color=color, label=label)
     if rings:
         key = {"fontsize": 9, "frameon": False, "title": "loop: length, thickness"}
-        axes.legend(loc="center left", bbox_to_anchor=(0.84, 0.5), alignment="left", **key)
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), alignment="left", **key)
     _draw_betti(figure.add_subplot(grid[2]), loops)
     return as_png(figure)
 
