@@ -34,7 +34,7 @@ def test_says_how_to_get_ros(what):
 def test_help_needs_no_ros(what):
     done = run("ros", what, "--help")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("usage: graspless ros ")
+    assert done.stdout.startswith(f"usage: graspless ros {what} ")
 
 
 def test_is_listed():

@@ -10,7 +10,13 @@ from .._commands import FOUND, INTERRUPTED
 from ..errors import TaskError
 from . import require_ros
 
-WHAT = ("node", "fake-robot", "demo")
+WHAT = {
+    "node": "Run the actions plan_task and pick_object and the service check_plan. "
+    "docs/howto/ros2.md lists the parameters.",
+    "fake-robot": "Run a simulated robot with the controllers of ros2_control and a depth camera.",
+    "demo": "Run the simulated robot and the node on this computer alone, and pick up a bar: from "
+    "the image to the lift.",
+}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -21,20 +27,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "both, and a pick from the image to the lift. See docs/howto/ros2.md."
     )
     parser.add_argument("what", choices=WHAT, nargs="?")
+    _add_rest(parser)
+    parser.set_defaults(run=_run)
+
+
+def _add_rest(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "arguments",
         nargs=argparse.REMAINDER,
         metavar="--ros-args ...",
         help="arguments of ROS, such as --ros-args --params-file FILE",
     )
-    parser.set_defaults(run=_run, print_help=parser.print_help)
 
 
 def _run(options: argparse.Namespace) -> int:
     if options.what is None:
         raise TaskError(f"ros: needs the name of what to run (one of: {', '.join(WHAT)})")
     if {"-h", "--help"} & set(options.arguments):
-        options.print_help()
+        own = argparse.ArgumentParser(
+            prog=f"graspless ros {options.what}", description=WHAT[options.what]
+        )
+        _add_rest(own)
+        own.print_help()
         return FOUND
     require_ros()
     if options.what == "demo":
