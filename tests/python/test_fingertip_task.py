@@ -275,6 +275,14 @@ def test_degrees_and_millimetres_are_warned_of(write, change, what):
         graspless.load_task(write(changed(*change)))
 
 
+def test_a_tumble_of_what_stands_on_one_corner_says_the_gap_and_the_remedy(write):
+    vertices = "[[0, 0, 0], [0.1, 0, 0.0003], [0, 0.1, 0.0004], [0, 0, 0.1]]"
+    text = changed(BOX, TETRAHEDRON.replace(TETRAHEDRON.split(chr(10))[0][10:], vertices))
+    message = fault(write(changed(SLIDE, "tumble: {over: +x}", text)))
+    what = r"motion.tumble: .*no edge: its lowest two corners are 0 mm and 0.3 mm above the floor;"
+    assert re.search(what + r" give a pose in which it stands on an edge", message), message
+
+
 def test_inertia_and_centre_of_mass(write):
     fields = "mass: 1.0\n  com: [0.01, 0, 0]\n  inertia: [0.001, 0.0012, 0.0011]"
     thing = graspless.load_task(write(changed("mass: 1.0", fields))).problem.object

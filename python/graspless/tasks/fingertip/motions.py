@@ -152,7 +152,11 @@ def edge(p_W: Matrix, height: float, side: str, size: float) -> tuple[Matrix, Ma
     """
     foot = p_W[np.abs(p_W[:, 2] - height) < 1e-6 * max(size, 1e-3)]
     if len(foot) < 2:
-        raise ValueError("the object stands on no edge: it does not touch the floor there")
+        low = 1000 * (np.sort(p_W[:, 2])[:2] - height)
+        raise ValueError(
+            f"the object stands on no edge: its lowest two corners are {low[0] + 0.0:.3g} mm and "
+            f"{low[1]:.3g} mm above the floor; give a pose in which it stands on an edge or a face"
+        )
     towards = np.array(DIRECTIONS[side], dtype=float)
     center = foot.mean(axis=0)
     # Around the foot by angle: the edge whose outward normal looks most towards the side.
