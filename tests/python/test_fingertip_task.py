@@ -5,6 +5,7 @@
 import contextlib
 import math
 import re
+import warnings
 
 import numpy as np
 import pytest
@@ -273,6 +274,61 @@ def test_mesh_in_millimetres_and_its_density(write, tmp_path):
 def test_degrees_and_millimetres_are_warned_of(write, change, what):
     with pytest.warns(UserWarning, match=what), contextlib.suppress(TaskError):
         graspless.load_task(write(changed(*change)))
+
+
+@pytest.mark.parametrize(
+    ("scale", "what"),
+    [
+        (
+            "1",
+            r"mesh: is 50 x 50 x 100 m; lengths are in metres; .*millimetres write 'scale: 0.001",
+        ),
+        ("1.0e-6", r"mesh: is 5e-05 x 5e-05 x 0.0001 m; lengths are in metres; .*write no scale"),
+    ],
+)
+@pytest.mark.parametrize("parts", [False, True])
+def test_the_unit_of_an_obstacle_s_mesh_is_doubted(write, tmp_path, scale, what, parts):
+    import trimesh
+
+    trimesh.creation.box([50, 50, 100]).export(tmp_path / "post.stl")
+    mesh = f"mesh: {{file: post.stl, scale: {scale}}}"
+    shape = f"parts: [{{box: [1, 1, 1]}}, {{{mesh}}}]" if parts else mesh
+    obstacle = f"obstacles: [{{name: post, {shape}, pose: {{position: [90, 0, 0]}}}}]\nbudget:"
+    place = r"obstacles\[0\].parts\[1\]." if parts else r"obstacles\[0\]."
+    with pytest.warns(UserWarning, match=place + what):
+        graspless.load_task(write(changed("budget:", obstacle)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        graspless.load_task(
+            write(
+                changed("budget:", obstacle.replace(mesh, "mesh: {file: post.stl, scale: 0.001}"))
+            )
+        )
+
+
+@pytest.mark.parametrize("apart", [0.2, 0.03])
+def test_a_mesh_of_several_pieces_is_doubted(write, tmp_path, apart):
+    import trimesh
+
+    boxes = [trimesh.creation.box([0.05, 0.05, 0.05]) for _ in range(2)]
+    boxes[1].apply_translation([apart, 0, 0])
+    trimesh.util.concatenate(boxes).export(tmp_path / "a.stl")
+    text = changed(BOX, "mesh: {file: a.stl}", changed("mass: 1.0", "mass: 0.2"))
+    what = r"object.mesh: is not one piece: has 2 that share no corner; .* mass counts twice"
+    with pytest.warns(UserWarning, match=what), contextlib.suppress(TaskError):
+        graspless.load_task(write(text))
+
+
+def test_a_cavity_is_no_piece(write, tmp_path):
+    import trimesh
+
+    hollow = [trimesh.creation.box([0.05, 0.05, 0.05]), trimesh.creation.box([0.04, 0.04, 0.04])]
+    hollow[1].invert()
+    trimesh.util.concatenate(hollow).export(tmp_path / "a.stl")
+    text = changed(BOX, "mesh: {file: a.stl}", changed("mass: 1.0", "mass: 0.2"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        graspless.load_task(write(text))
 
 
 def test_a_tumble_of_what_stands_on_one_corner_says_the_gap_and_the_remedy(write):

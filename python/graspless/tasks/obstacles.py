@@ -18,6 +18,7 @@ from .units import warn_of_pose
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ..frames import Matrix
     from .source import Location
 
     AnyShape = geometry.Box | geometry.Sphere | geometry.Capsule | geometry.Convex | geometry.Mesh
@@ -28,6 +29,8 @@ def _with_own_names(obstacles: list[Obstacle]) -> list[Obstacle]:
         raise ValueError(f"name given twice: {twice}")
     return obstacles
 
+
+SMALLEST, LARGEST = 1e-3, 20.0  # longest side of a mesh that nobody doubts [m]
 
 Obstacles = Annotated[list[Obstacle], AfterValidator(_with_own_names)]
 
@@ -52,7 +55,13 @@ def build_obstacles(obstacles: Sequence[Obstacle], source: Source) -> list[colli
     built = []
     for i, obstacle in enumerate(obstacles):
         with at(source, "obstacles", i):
-            parts = placed_parts(obstacle.parts or [obstacle], alone=not obstacle.parts)
+            shapes = obstacle.parts or [obstacle]
+            parts = placed_parts(shapes, alone=not obstacle.parts)
+        for k, (shape, part) in enumerate(zip(shapes, parts, strict=True)):
+            if shape.mesh is not None:
+                inner = ("parts", k) if obstacle.parts else ()
+                size = np.ptp(np.asarray(part.shape.vertices), axis=0)
+                _warn_of_size(size, ("obstacles", i, *inner, "mesh"), source)
         built.append(collision.Obstacle(obstacle.name, parts, pose_matrix(obstacle.pose)))
     return built
 
@@ -63,6 +72,15 @@ def placed_parts(parts: Sequence[Shape], alone: bool = False) -> list[geometry.P
         geometry.PlacedShape(_shape(part), np.eye(4) if alone else pose_matrix(part.pose))
         for part in parts
     ]
+
+
+def _warn_of_size(size: Matrix, place: Location, source: Source) -> None:
+    """Warns of the sides [3] of a mesh that look like another unit than metres."""
+    what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
+    if size.max() > LARGEST:
+        source.warn(place, f"{what}; of a mesh in millimetres write 'scale: 0.001'")
+    elif size.max() < SMALLEST:
+        source.warn(place, f"{what}; of a mesh in metres write no scale")
 
 
 def _resolved(obstacle: Obstacle, source: Source, index: int, directory: Path) -> Obstacle:

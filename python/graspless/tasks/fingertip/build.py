@@ -61,6 +61,10 @@ def build_object(thing: model.Object, source: Source) -> fingertip.Object:
         what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
         hint = "; of a mesh in millimetres write 'unit: mm'" if field == "mesh" else ""
         source.warn(("object", field), what + hint)
+    if (count := _pieces(built.mesh)) > 1:
+        what = f"is not one piece: has {count} that share no corner"
+        how = "they move as one rigid body, and where they overlap, mass counts twice"
+        source.warn(("object", field), f"{what}; {how}")
     if thing.density is not None:
         with at(source, "object", "density"):
             built = _rebuilt(thing, thing.density * _volume(built))
@@ -155,6 +159,20 @@ def _volume(thing: fingertip.Object) -> float:
     """[m^3], by the divergence theorem."""
     corners = np.asarray(thing.mesh.vertices)[np.asarray(thing.mesh.triangles)]
     return float(np.linalg.det(corners).sum() / 6)
+
+
+def _pieces(mesh: geometry.Mesh) -> int:
+    """Returns the number of parts of a closed mesh that share no vertex; cavities are none."""
+    triangles = np.asarray(mesh.triangles)
+    least = np.arange(len(mesh.vertices))  # number of a vertex of the same part
+    while True:
+        before = least.copy()
+        np.minimum.at(least, triangles, before[triangles].min(axis=1, keepdims=True))
+        least = least[least]
+        if (least == before).all():
+            break
+    volumes = np.linalg.det(np.asarray(mesh.vertices)[triangles])
+    return int((np.bincount(least[triangles[:, 0]], volumes) > 0).sum())
 
 
 def _places(task: model.FingertipTask) -> dict[str, Location]:
