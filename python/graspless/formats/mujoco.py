@@ -3,8 +3,8 @@
 """MJCF of a task, one keyframe at the start and one at each segment's end: one file, nothing beside
 it.
 
-The robot has position servos, the object a free joint; bare fingertips are mocap bodies. MuJoCo
-writes numbers with six digits.
+The robot has position servos, the object a free joint; bare fingertips are mocap bodies. The
+servos' targets contain the squeeze of a hand that holds. MuJoCo writes numbers with six digits.
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ import numpy as np
 
 from .. import frames
 from ..simulation.robots import compiled, set_positions
+from ..simulation.settings import Slide
+from ..timing.squeeze import targets
 from .fingers import centers
 from .mujoco_scene import OBJECT, build
 from .numbers import numbered
@@ -30,12 +32,13 @@ def text(trajectory: Trajectory) -> str:
     """Returns the MJCF."""
     spec, robot = build(trajectory)
     model = compiled(spec)
+    ctrl = targets(trajectory, Slide().squeeze)
     last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
     for name, k in zip(["start", *numbered(trajectory)], [0, *last], strict=True):
         key = spec.add_key(name=name, time=float(trajectory.times[k]))
         key.qpos = _qpos(model, robot, trajectory.positions[k], trajectory.object_poses[k])
         if robot is not None:
-            key.ctrl = trajectory.positions[k]
+            key.ctrl = ctrl[k]
         else:
             key.mpos = centers(trajectory, int(k)).ravel()
     spec.compile()

@@ -50,13 +50,9 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
     travel : float
         As of `beyond`; 0 changes nothing.
     """
-    plan: Any = stages_of(trajectory.plan)[0]
-    closes = np.flatnonzero(np.array(trajectory.names) == "close")
-    if travel <= 0 or plan.kind not in ("slide", "pinch") or not len(closes):
+    k, close = _contact(trajectory, travel)
+    if not close.any():
         return trajectory
-    k = int(closes[-1])
-    q, robot = trajectory.positions[k], plan.task.problem.robot
-    close = np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
     t = np.linspace(0.0, 1.0, max(2, round(SECONDS * _RATE)) + 1)[1:]
     share, rate, bend = _smooth(t, SECONDS)
     left = _left(trajectory)[:, k + 1 :]
@@ -87,6 +83,32 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
         accelerations=changed(trajectory.accelerations, bend, left[2]),
         object_poses=repeated(trajectory.object_poses),
     )
+
+
+def targets(trajectory: Trajectory, travel: float) -> Matrix:
+    """[N, dof] targets of servos: positions, with the squeeze from contact until the hand opens.
+
+    Parameters
+    ----------
+    trajectory : Trajectory
+    travel : float
+        As of `squeezed`.
+    """
+    k, close = _contact(trajectory, travel)
+    found: Matrix = trajectory.positions.copy()
+    found[k:] += _left(trajectory)[0][k:, None] * close
+    return found
+
+
+def _contact(trajectory: Trajectory, travel: float) -> tuple[int, Matrix]:
+    """Returns the sample at which the hand touches, and how far it closes on [dof]; or zeros."""
+    plan: Any = stages_of(trajectory.plan)[0]
+    closes = np.flatnonzero(np.array(trajectory.names) == "close")
+    if travel <= 0 or plan.kind not in ("slide", "pinch") or not len(closes):
+        return 0, np.zeros(trajectory.positions.shape[1])
+    k = int(closes[-1])
+    q, robot = trajectory.positions[k], plan.task.problem.robot
+    return k, np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
 
 
 def _smooth(t: Matrix, seconds: float) -> tuple[Matrix, Matrix, Matrix]:
