@@ -58,7 +58,7 @@ def build_obstacles(obstacles: Sequence[Obstacle], source: Source) -> list[colli
             shapes = obstacle.parts or [obstacle]
             parts = placed_parts(shapes, alone=not obstacle.parts)
         for k, (shape, part) in enumerate(zip(shapes, parts, strict=True)):
-            if shape.mesh is not None:
+            if shape.mesh is not None and isinstance(part.shape, geometry.Mesh):
                 inner = ("parts", k) if obstacle.parts else ()
                 size = np.ptp(np.asarray(part.shape.vertices), axis=0)
                 _warn_of_size(size, ("obstacles", i, *inner, "mesh"), source)

@@ -155,7 +155,8 @@ def _place(fault: str, robot: Robot, source: Source) -> tuple[str, ...]:
     """Returns the field that has a fault, or names the file that has it."""
     if fault.startswith("X_WB"):
         return "robot", "pose"
-    place, field = ("robot",), given_field(source)
+    place: tuple[str, ...] = ("robot",)
+    field = given_field(source)
     named = re.search(r"'(.*?)'", fault)
     if named and named[1] in robot._of_gripper:
         given = source.given("robot", "gripper")
