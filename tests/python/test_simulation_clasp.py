@@ -258,6 +258,24 @@ def test_a_locked_hand_holds_where_it_is_closed(plan):
     assert less < linking
 
 
+def test_nothing_yields_in_a_locked_hand(plan, monkeypatch):
+    closed = np.array(plan.segments[-1].positions[-1])
+    joints = plan.task.problem.robot.group(plan.task.problem.hand.hand)
+    moved, yielded = [], []
+
+    def run(execution, _):
+        world = execution.world
+        for _ in range(execution._steps):
+            mujoco.mj_step(world.model, world.data)
+            yielded.append(-world.data.contact.dist.min(initial=0.0))
+        moved.append(np.abs(world.positions - closed)[joints].max())
+
+    monkeypatch.setattr(Execution, "run", run)
+    assert held_locked(plan, closed, [[1, 2]])[0]
+    assert max(moved) < 1e-5
+    assert 1e-5 < max(yielded) < 1e-3
+
+
 def test_the_same_again(plan, trial):
     again = run(plan, Variation(), settings=SHORT)
     assert again.measures == trial.measures

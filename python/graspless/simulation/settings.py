@@ -150,8 +150,10 @@ class Clasp:
     # of the plan [rad; m / 10]
     left_most: float = 0.2  # to which that is measured [rad; m / 10]
     grip_still: int = 10  # observations without motion after which the hand is closed; a choice
-    locked_torque: float = 1e3  # of locked motors, relative to their own; a choice, as the next
-    locked_stiffness: float = 10.0  # of locked motors, relative to their own
+    locked_armature: float = 1e4  # of a joint that is locked [kg m^2; kg]: a wrench moves it by
+    # less than a micrometre. A choice
+    locked_timing: float = 0.25  # time step and stiffness_time of a hand that is tested locked,
+    # relative to others: its surfaces yield by less than 1 mm
     force: float = 15.0  # of a random wrench [N]; from the feasibility study, as the next four
     torque: float = 1.0  # of a random wrench, about the centre of mass [Nm]
     hold: float = 0.1  # time after which a new wrench is drawn [s]

@@ -137,7 +137,10 @@ def held_locked(plan: Plan, q: Matrix, seeds: Sequence[list[int]]) -> tuple[bool
     float
         Least virtual linking of a finger at the start.
     """
-    world = make_world(plan.task, Variation(), _settings(plan))
+    settings = _settings(plan)
+    finer = settings.locked_timing
+    settings = replace(settings, stiffness_time=finer * settings.stiffness_time)
+    world = make_world(plan.task, Variation(timestep=finer), settings)
     set_positions(world.model, world.data, plan.task.problem.robot, q)
     world.data.ctrl[:] = q
     execution = execution_of(plan, world, None)

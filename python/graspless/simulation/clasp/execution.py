@@ -194,31 +194,19 @@ class Execution:
 
     @contextmanager
     def locked(self) -> Iterator[None]:
-        """Locks the hand: motors strong enough to hold their positions, and rigid gears."""
-        model, data, settings = self.world.model, self.world.data, self.world.settings
+        """Locks the hand: its joints are too heavy to be moved, and come to rest at once."""
+        model, data = self.world.model, self.world.data
         data.ctrl[self._fingers] = self.world.positions[self._fingers]
-        joints = model.actuator_trnid[self._fingers, 0]
-        gears = np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT)
-        arrays = (
-            model.actuator_forcerange,
-            model.jnt_actfrcrange,
-            model.actuator_gainprm,
-            model.actuator_biasprm,
-            model.eq_solref,
-        )
-        kept = [array.copy() for array in arrays]
-        model.actuator_forcerange[self._fingers] *= settings.locked_torque
-        model.jnt_actfrcrange[joints] *= settings.locked_torque
-        model.actuator_gainprm[self._fingers, 0] *= settings.locked_stiffness
-        model.actuator_biasprm[self._fingers, 1] *= settings.locked_stiffness
-        # Critically damped still.
-        model.actuator_biasprm[self._fingers, 2] *= np.sqrt(settings.locked_stiffness)
-        model.eq_solref[gears] = [2 * model.opt.timestep, 1.0]  # as stiff as can be
+        gears = model.eq_obj1id[model.eq_type == mujoco.mjtEq.mjEQ_JOINT]
+        joints = [*model.actuator_trnid[self._fingers, 0], *gears]
+        dofs, armature = model.jnt_dofadr[joints], self.world.settings.locked_armature
+        kept = model.dof_armature.copy(), model.dof_damping.copy()
+        model.dof_armature[dofs] = armature
+        model.dof_damping[dofs] = armature / model.opt.timestep
         try:
             yield
         finally:
-            for array, before in zip(arrays, kept, strict=True):
-                array[:] = before
+            model.dof_armature[:], model.dof_damping[:] = kept
 
     def pull(self, direction_W: Matrix) -> float:
         """A force at the object's centre of mass grows until the loop is out of the hand; how much
