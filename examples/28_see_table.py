@@ -37,7 +37,8 @@ for thing in scene.objects:
     x, y = thing.X_WO[:2, 3]
     area = 1e4 * geometry.Polygon(np.asarray(thing.outline)).area
     print(f"{thing.name} on {thing.support} at ({x:.2f}, {y:.2f}) m: {area:.0f} cm^2, ", end="")
-    print(f"{1000 * thing.thickness:.1f} +- {1000 * thing.thickness_error:.1f} mm thick")
+    error = f" +- {1000 * thing.thickness_error:.1f}" if thing.is_flat else ""
+    print(f"{1000 * thing.thickness:.1f}{error} mm thick")
 print(f"unseen: {len(scene.unseen)} pieces of space")
 
 if len(sys.argv) > 1:  # a picture
