@@ -31,6 +31,7 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 TASK = (EXAMPLES / "01_slide_card.yaml").read_text()
 GROUPS = ("arm", "hand")
 _TICK = 0.005  # on the wall [s]
+_COAST = 4  # ticks
 PATIENCE = 30.0  # of the client [s]
 _Result = FollowJointTrajectory.Result
 
@@ -39,7 +40,8 @@ class Rig(rclpy.node.Node):
     """Clock, joint states and controllers.
 
     behaviour of a controller: follow, reject, abort (half way), stuck (never ends, but can be
-    cancelled), deaf (accepts, never ends, refuses to be cancelled).
+    cancelled), deaf (accepts, never ends, refuses to be cancelled), coast (goes on for a while after
+    it was cancelled).
     """
 
     def __init__(self, given):
@@ -49,7 +51,7 @@ class Rig(rclpy.node.Node):
         self.q = {name: 0.0 for group in GROUPS for name in given[group]["joints"]}
         self.home = dict(self.q)
         self.behaviour = dict.fromkeys(GROUPS, "follow")
-        self.is_silent, self.corrupt, self.lag = False, {}, 0.0
+        self.is_silent, self.corrupt, self.lag, self.coast = False, {}, 0.0, _COAST
         self.orders, self.heard, self.streamed = {}, [], []
         self.clock_topic = self.create_publisher(Clock, "/clock", 1)
         self.states = self.create_publisher(JointState, "joint_states", qos_profile_sensor_data)
@@ -118,7 +120,9 @@ class Rig(rclpy.node.Node):
 
     def _follow(self, group):
         trajectory, handle, future = self.orders[group]
-        if handle.is_cancel_requested:
+        if handle.is_cancel_requested and self.behaviour[group] == "coast" and self.coast:
+            self.coast -= 1
+        elif handle.is_cancel_requested:
             del self.orders[group]
             future.set_result("canceled")
             return
@@ -128,12 +132,12 @@ class Rig(rclpy.node.Node):
         if t < 0:
             return
         place = [np.interp(t, times, column) for column in rows.T]
-        if self.behaviour[group] in ("follow", "abort"):
+        if self.behaviour[group] in ("follow", "abort", "coast"):
             self.q.update(zip(trajectory.joint_names, place, strict=True))
         if self.behaviour[group] == "abort" and t > times[-1] / 2:
             del self.orders[group]
             future.set_result(_Result.PATH_TOLERANCE_VIOLATED)
-        elif self.behaviour[group] == "follow" and t > times[-1]:
+        elif self.behaviour[group] in ("follow", "coast") and t > times[-1]:
             del self.orders[group]
             future.set_result(0)
 
@@ -202,7 +206,7 @@ class Bench:
             rig.orders.clear()
             rig.q.update(rig.home)
             rig.behaviour = dict.fromkeys(GROUPS, "follow")
-            rig.is_silent, rig.corrupt, rig.lag = False, {}, 0.0
+            rig.is_silent, rig.corrupt, rig.lag, rig.coast = False, {}, 0.0, _COAST
             rig.heard.clear()
             rig.streamed.clear()
         self.settle()

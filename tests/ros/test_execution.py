@@ -188,6 +188,18 @@ def test_a_goal_can_preempt_the_motion(bus):
     assert not bus.rig.orders
 
 
+def test_a_goal_that_preempts_starts_where_the_motion_has_stopped(bus):
+    bus.rig.behaviour["arm"] = "coast"
+    first = bus.send(goal())
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    motion = bus.do(goal(preempt=True))[1].motion
+    assert (motion.status, motion.reason) == ("executed", "")
+    motion = bus.result(first)[1].motion
+    assert motion.status == "preempted"
+    assert "confirm" not in motion.reason
+    assert bus.rig.coast == 0
+
+
 def test_deactivating_stops_the_robot(bus):
     handle = bus.send(goal())
     bus.until(lambda: moved(bus) > 0.05, "nothing moved")

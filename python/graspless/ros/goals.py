@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
     from .workers import Workers
 
+_LOOK = 0.01  # between looks whether a motion has stopped [s]
+
 
 @dataclass
 class Ending:
@@ -175,17 +177,31 @@ class Desk:
         if not waits:
             return  # it was cancelled
         try:
+            moves = mover(goal)
+            if moves is not None:
+                self._await_stop(goal)
             found = self._workers.run(job(goal), goal.cancel, goal.tell)
             if found is None:
                 raise HaltedError(*goal.withdrawn)
-            moves = mover(goal) if found.is_solved else None
-            if moves is None:
+            if moves is None or not found.is_solved:
                 self._end(goal, Ending(found.status, found.reason, found))
                 return
             self._start(goal, found, moves)
         except Exception as error:
             was_cancelled = goal.cancel.has_rung  # whatever it was doing
             self._end(goal, Ending(*goal.withdrawn) if was_cancelled else _ending(error, goal))
+
+    def _await_stop(self, goal: Goal) -> None:
+        """Waits until a motion that was cancelled has stopped: the job measures the robot.
+
+        A mover ends within a limit of its own, and no goal that was cancelled waits.
+        """
+        while self._is_stopping() and not goal.cancel.has_rung:
+            goal.cancel.wait(_LOOK)
+
+    def _is_stopping(self) -> bool:
+        with self._lock:
+            return self._moving is not None and self._moving.cancel.has_rung
 
     def _start(self, goal: Goal, found: Found, mover: Mover) -> None:
         with self._lock:
