@@ -149,8 +149,8 @@ class Bench:
         rclpy.init()
         self.given = parameters()
         self.rig = Rig(self.given)
-        overrides = [Parameter(name, value=value) for name, value in self._flat(self.given)]
-        self.node = GrasplessNode(parameter_overrides=overrides)
+        self.overrides = [Parameter(name, value=value) for name, value in self._flat(self.given)]
+        self.node = GrasplessNode(parameter_overrides=self.overrides)
         assert self.node.start()
         self.client = rclpy.create_node("client")
         self.executors = []
@@ -186,6 +186,15 @@ class Bench:
                 yield from ((f"{name}.{key}", inner) for key, inner in value.items())
             else:
                 yield name, value
+
+    def another_node(self, namespace):
+        """Returns a node beside the first, for the same robot and in the same thread."""
+        remap = ["--ros-args", "-r", "joint_states:=/joint_states"]
+        given = {"parameter_overrides": self.overrides, "cli_args": remap}
+        node = GrasplessNode(namespace=namespace, **given)
+        assert node.start()
+        self.executors[1].add_node(node)
+        return node
 
     def close(self):
         self.node.end_goals()

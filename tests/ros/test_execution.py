@@ -10,7 +10,8 @@ import yaml
 from action_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from graspless_msgs.action import PlanTask
-from rig import EXAMPLES, TASK
+from rclpy.action import ActionClient
+from rig import EXAMPLES, PATIENCE, TASK
 
 import graspless
 from graspless.ros.messages import pose_of, seconds_of, time_of
@@ -211,6 +212,26 @@ def test_deactivating_stops_the_robot(bus):
         assert not bus.rig.orders
     finally:
         bus.node.trigger_activate()
+
+
+def test_shutting_down_stops_the_robot_and_ends_the_goals(bus):
+    node = bus.another_node("ending")
+    client = ActionClient(bus.client, PlanTask, "/ending/plan_task")
+    try:
+        assert client.wait_for_server(PATIENCE)
+        result = bus.wait(client.send_goal_async(goal())).get_result_async()
+        bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+        bus.wait(bus.executors[1].create_task(node.trigger_shutdown))
+        motion = bus.wait(result, "result").result.motion
+        assert (motion.status, motion.reason) == ("stopped", "the node is shutting down")
+        assert not bus.rig.orders
+        bus.until(lambda: not client.server_is_ready(), "the action is still served")
+        assert node.faults == 0
+    finally:
+        client.destroy()
+        bus.executors[1].remove_node(node)
+        node.close()
+        node.destroy_node()
 
 
 def test_follows_a_slide_in_closed_loop(bus):

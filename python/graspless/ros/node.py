@@ -12,7 +12,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from graspless_msgs.action import PickObject, PlanTask
 from graspless_msgs.srv import CheckPlan
-from rclpy.clock import JumpThreshold
+from rclpy.clock import Clock, ClockType, JumpThreshold
 from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 TF = QoSProfile(depth=100)
 TF_STATIC = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+_LOOK = 0.01  # between looks whether all goals have ended [s]
 
 
 class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untyped
@@ -142,9 +144,23 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         return super().on_cleanup(state)
 
     def on_shutdown(self, state: Any) -> Any:
-        """Cancels all goals, stops the robot, and removes everything."""
-        self.close()
+        """Cancels all goals and stops the robot; removes everything as soon as that is done.
+
+        It does not wait: the executor has to hear the controllers meanwhile.
+        """
+        self.is_active = False
+        if self._parts:
+            self.desk.cancel_all("stopped", "the node is shutting down")
+            steady = Clock(clock_type=ClockType.STEADY_TIME)  # that of the node may stand still
+            timer = self.create_timer(_LOOK, self._close_at_rest, clock=steady)
+            self._parts.append(lambda: self.destroy_timer(timer))
         return super().on_shutdown(state)
+
+    def _close_at_rest(self) -> None:
+        """Removes everything at the second look without a goal: results are sent between them."""
+        was_idle, self._is_idle = self._is_idle, all(each.is_idle for each in self._servers)
+        if was_idle and self._is_idle:
+            self.close()
 
     def end_goals(self) -> None:
         """Cancels all goals and stops the robot; returns when that is done."""
@@ -209,6 +225,8 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         self._parts.append(self.controllers.destroy)
         self.streaming = Streaming(self, s, self.joints, self.poses, self)
         self._parts.append(self.streaming.destroy)
+        self._servers: list[Server] = []
+        self._is_idle = False
         self._serve_action(PlanTask, "plan_task", self.requests.task_job, task_result)
         self._serve_action(PickObject, "pick_object", self.requests.pick_job, pick_result)
         service = self.create_service(CheckPlan, "check_plan", self._check)
@@ -229,6 +247,7 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
 
         server = Server(self, action, name, begin, lambda goal: self.desk.cancel(goal), end)
         self._parts.append(server.destroy)
+        self._servers.append(server)
 
     # Goals
 

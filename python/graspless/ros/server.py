@@ -66,6 +66,11 @@ class Server:
         """Destroys the action server."""
         self.server.destroy()
 
+    @property
+    def is_idle(self) -> bool:
+        """True if each goal has its result."""
+        return not self._goals
+
     async def _execute(self, handle: Any) -> Any:
         key = bytes(handle.goal_id.uuid)
         goal = Goal(handle, self._node.seconds(), self._tell)
