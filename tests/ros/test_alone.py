@@ -21,6 +21,7 @@ from sensor_msgs.msg import JointState
 from graspless import TaskError
 from graspless.ros import demo, server, settings
 from graspless.ros.demo import Transcript, parameters
+from graspless.ros.diagnostics import statuses
 from graspless.ros.node import GrasplessNode
 from graspless.ros.results import bytes_of
 from graspless.ros.spinning import spin
@@ -155,7 +156,7 @@ def test_results_can_be_asked_for_again_until_others_need_the_memory(alone):
 
 
 def test_diagnostics_say_what_is_missing(alone):
-    texts = {status.name: status.message for status in alone.node.diagnostics()}
+    texts = {status.name: status.message for status in statuses(alone.node)}
     assert texts["graspless: depth image"] == "none was heard"
     assert texts["graspless: controllers"] == "nobody serves arm, hand"
 

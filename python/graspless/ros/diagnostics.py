@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from .goals import Desk
+    from .node import GrasplessNode
 
 
 def _status(name: str, level: bytes, text: str, **values: Any) -> Any:
@@ -41,3 +42,23 @@ def goals_status(desk: Desk, is_active: bool, has_faults: bool, counts: dict[str
     level = DiagnosticStatus.ERROR if has_faults else DiagnosticStatus.OK
     text = f"{desk.size} under way" if is_active else "not active"
     return _status("goals", level, text, under_way=desk.size, **counts, **desk.counts)
+
+
+def statuses(node: GrasplessNode) -> list[Any]:
+    """Returns one DiagnosticStatus for each thing that a node depends on."""
+    s, late = node.settings, node.joints.out_of_order
+    counts = {
+        "faults_in_callbacks": node.faults,
+        "clock_jumps": node.jumps,
+        "refused_transforms": node.transforms.refused,
+        "refused_object_poses": node.poses.refused,
+    }
+    found = [
+        age_status("joint states", node.joints.age(), s.joint_state_seconds, out_of_order=late),
+        age_status("depth image", node.camera.age(node.seconds()), s.image_seconds),
+        controllers_status(node.controllers.absent() if s.controllers else None),
+        goals_status(node.desk, node.is_active, node.faults > 0, counts),
+    ]
+    for status in found:
+        status.name = f"{node.get_name()}: {status.name}"
+    return found

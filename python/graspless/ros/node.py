@@ -26,7 +26,7 @@ from visualization_msgs.msg import MarkerArray
 from ..errors import explain
 from . import settings as parameters
 from .controllers import Controllers
-from .diagnostics import age_status, controllers_status, goals_status
+from .diagnostics import statuses
 from .goals import Desk, Ending, Goal
 from .jobs import CheckJob, Found
 from .markers import markers_of
@@ -293,25 +293,6 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         return response
 
     def _diagnose(self) -> None:
-        message = DiagnosticArray(status=self.diagnostics())
+        message = DiagnosticArray(status=statuses(self))
         message.header.stamp = self.stamp()
         self._diagnostics.publish(message)
-
-    def diagnostics(self) -> list[Any]:
-        """Returns one DiagnosticStatus for each thing that the node depends on."""
-        s, late = self.settings, self.joints.out_of_order
-        counts = {
-            "faults_in_callbacks": self.faults,
-            "clock_jumps": self.jumps,
-            "refused_transforms": self.transforms.refused,
-            "refused_object_poses": self.poses.refused,
-        }
-        found = [
-            age_status("joint states", self.joints.age(), s.joint_state_seconds, out_of_order=late),
-            age_status("depth image", self.camera.age(self.seconds()), s.image_seconds),
-            controllers_status(self.controllers.absent() if s.controllers else None),
-            goals_status(self.desk, self.is_active, self.faults > 0, counts),
-        ]
-        for status in found:
-            status.name = f"{self.get_name()}: {status.name}"
-        return found
