@@ -187,14 +187,20 @@ class Bench:
             else:
                 yield name, value
 
-    def another_node(self, namespace):
+    def another_node(self, namespace, remap="joint_states:=/joint_states"):
         """Returns a node beside the first, for the same robot and in the same thread."""
-        remap = ["--ros-args", "-r", "joint_states:=/joint_states"]
-        given = {"parameter_overrides": self.overrides, "cli_args": remap}
+        arguments = ["--ros-args", "-r", remap]
+        given = {"parameter_overrides": self.overrides, "cli_args": arguments}
         node = GrasplessNode(namespace=namespace, **given)
         assert node.start()
         self.executors[1].add_node(node)
         return node
+
+    def remove(self, node):
+        """Ends another node."""
+        self.executors[1].remove_node(node)
+        node.close()
+        node.destroy_node()
 
     def close(self):
         self.node.end_goals()

@@ -229,9 +229,7 @@ def test_shutting_down_stops_the_robot_and_ends_the_goals(bus):
         assert node.faults == 0
     finally:
         client.destroy()
-        bus.executors[1].remove_node(node)
-        node.close()
-        node.destroy_node()
+        bus.remove(node)
 
 
 def test_follows_a_slide_in_closed_loop(bus):

@@ -4,11 +4,13 @@
 
 import json
 from array import array
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
 from geometry_msgs.msg import TransformStamped
 from graspless_msgs.action import PickObject
+from rig import PATIENCE
 from sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2, PointField
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
@@ -18,6 +20,7 @@ from graspless.ros.fake_world import SCENE, X_WC, World, _shape
 from graspless.ros.halting import HaltedError, Timer, positions
 from graspless.ros.messages import (
     RefusedError,
+    camera_matrix_of,
     depth_of,
     matrix_of,
     points_of,
@@ -26,6 +29,7 @@ from graspless.ros.messages import (
 )
 from graspless.ros.senses import Joints
 from graspless.ros.transforms import Transforms
+from graspless.ros.workers import Alarm
 
 
 def moved(child, parent, X, stamp=0.0):
@@ -178,6 +182,19 @@ def test_depths_have_their_units():
         depth_of(image)
 
 
+def test_rectified_images_have_the_matrix_p():
+    image, info, found = picture()
+    np.testing.assert_array_equal(camera_matrix_of(info, image, is_rectified=True), found.K)
+    info.p = np.hstack([found.K + np.diag([5.0, 5.0, 0.0]), np.zeros((3, 1))]).ravel().tolist()
+    info.d = [0.1, 0.0, 0.0, 0.0, 0.0]
+    P = camera_matrix_of(info, image, is_rectified=True)
+    np.testing.assert_array_equal(P, found.K + np.diag([5.0, 5.0, 0.0]))
+    with pytest.raises(RefusedError, match="distorted"):
+        camera_matrix_of(info, image, is_rectified=False)
+    info.d = [0.0] * 5
+    np.testing.assert_array_equal(camera_matrix_of(info, image, is_rectified=False), found.K)
+
+
 def cloud_of(points, frame="camera", stamp=0.0):
     height, width, _ = points.shape
     cloud = PointCloud2(height=height, width=width, point_step=16, row_step=16 * width)
@@ -261,6 +278,22 @@ def test_picks_an_object_of_an_image(camera, image):
     assert [attempt.status for attempt in result.attempts][0] == "solved"
 
 
+@pytest.mark.parametrize("topic", ["depth/image_rect_raw", "depth/image_raw"])
+def test_the_name_of_the_topic_says_whether_images_are_rectified(camera, topic):
+    image, info, found = picture()
+    info.p, info.d = np.hstack([found.K, np.zeros((3, 1))]).ravel().tolist(), [0.1]
+    node = camera.another_node("eyes", f"depth/image_rect:={topic}")
+    try:
+        node.camera.hear("image", image)
+        node.camera.hear("info", info)
+        is_raw = topic.endswith("image_raw")
+        with pytest.raises(RefusedError, match="distorted") if is_raw else nullcontext():
+            seen = node.camera.look("image", 0.0, 1.0, PATIENCE, Alarm())
+            np.testing.assert_array_equal(seen.K, found.K)
+    finally:
+        camera.remove(node)
+
+
 def test_picks_an_object_of_a_cloud(camera):
     _, _, found = picture()
     rows, columns = np.indices(found.depth.shape)
@@ -319,9 +352,9 @@ def test_refuses_images_that_cannot_be_trusted(camera, image):
     small = CameraInfo(height=10, width=10, k=info.k, header=info.header)
     assert "10 x 10" in pick(camera, good, small).motion.reason
     bent = CameraInfo(height=240, width=320, k=info.k, d=[0.1], header=info.header)
-    assert "distorted" in pick(camera, good, bent).motion.reason
+    assert "not calibrated: p has" in pick(camera, good, bent).motion.reason
     blind = CameraInfo(height=240, width=320, header=info.header)
-    assert "not calibrated" in pick(camera, good, blind).motion.reason
+    assert "not calibrated: k has" in pick(camera, good, blind).motion.reason
 
 
 def test_an_empty_image_is_a_status(camera):

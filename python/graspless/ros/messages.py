@@ -113,8 +113,13 @@ def depth_of(image: Any) -> Matrix:
     return np.where(np.isfinite(depth) & (depth > 0), depth, 0.0)
 
 
-def camera_matrix_of(info: Any, image: Any) -> Matrix:
-    """Returns K [3, 3] of the camera info of an image."""
+def is_rectified(topic: str) -> bool:
+    """Returns True if the name of a topic says that its images are without distortion."""
+    return topic.rpartition("/")[2].startswith("image_rect")
+
+
+def camera_matrix_of(info: Any, image: Any, is_rectified: bool) -> Matrix:
+    """Returns K [3, 3] of an image by its camera info, in which d and k are of the raw image."""
     if (info.width, info.height) != (image.width, image.height):
         raise RefusedError(
             f"the camera info is of {info.width} x {info.height} pixels, and the depth image of "
@@ -125,11 +130,14 @@ def camera_matrix_of(info: Any, image: Any) -> Matrix:
             f"the camera info is of frame '{info.header.frame_id}', and the depth image of "
             f"'{image.header.frame_id}'"
         )
-    if any(abs(value) > 1e-9 for value in info.d):
+    is_distorted = any(abs(value) > 1e-9 for value in info.d)
+    if is_distorted and not is_rectified:
         raise RefusedError("the depth image is distorted (camera info: d); rectify it first")
-    K = np.array(info.k, dtype=float).reshape(3, 3)
+    name, K = "k", np.array(info.k, dtype=float).reshape(3, 3)
+    if is_rectified and (is_distorted or any(info.p)):  # some drivers fill k alone
+        name, K = "p", np.array(info.p, dtype=float).reshape(3, 4)[:, :3]
     if not (np.isfinite(K).all() and K[0, 0] > 0 and K[1, 1] > 0):
-        raise RefusedError("the camera info is not calibrated: k has no focal lengths")
+        raise RefusedError(f"the camera info is not calibrated: {name} has no focal lengths")
     return K
 
 

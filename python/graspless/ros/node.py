@@ -178,7 +178,8 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         s = self.settings
         self.transforms = Transforms()
         self.joints = Joints(self.seconds)
-        self.camera = Camera(self.transforms, s.world_frame)
+        images = self.resolve_topic_name("depth/image_rect")
+        self.camera = Camera(self.transforms, s.world_frame, images)
         self.poses = ObjectPose(self.transforms, s.world_frame, self.seconds)
         self.description = Description(s.robot_description, s.robot_description_semantic)
         camera, sensor = self.camera, qos_profile_sensor_data

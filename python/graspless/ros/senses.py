@@ -18,6 +18,7 @@ from .messages import (
     RefusedError,
     camera_matrix_of,
     depth_of,
+    is_rectified,
     matrix_of,
     points_of,
     seconds_of,
@@ -142,10 +143,20 @@ class Seen:
 
 
 class Camera:
-    """The newest depth image, camera info and cloud. Safe for use by several threads."""
+    """The newest depth image, camera info and cloud. Safe for use by several threads.
 
-    def __init__(self, transforms: Transforms, world: str) -> None:
+    Parameters
+    ----------
+    transforms : Transforms
+    world : str
+        Frame of the poses of the camera.
+    topic : str
+        Name of the topic of images. It says whether they are rectified.
+    """
+
+    def __init__(self, transforms: Transforms, world: str, topic: str) -> None:
         self._transforms, self._world = transforms, world
+        self._is_rectified = is_rectified(topic)
         self._lock = threading.Condition()
         self._newest: dict[str, Any] = {}
 
@@ -189,7 +200,8 @@ class Camera:
         if source == "cloud":
             found: dict[str, Any] = {"points": points_of(message)}
         else:
-            found = {"depth": depth_of(message), "K": camera_matrix_of(info, message)}
+            K = camera_matrix_of(info, message, self._is_rectified)
+            found = {"depth": depth_of(message), "K": K}
         return Seen(self._transforms.lookup(self._world, frame, stamp, patience), **found)
 
     def _await(self, source: str, since: float, seconds: float, cancel: Alarm) -> tuple[Any, Any]:
