@@ -225,6 +225,13 @@ def test_an_object_that_falls_ends_the_motion(plan):
     assert "off its support" in target.reason
 
 
+def test_an_object_that_stands_over_the_edge_ends_the_motion(plan):
+    world = World(plan, x=0.29 - plan.task.problem.X_WO_start[0, 3])
+    target = world.run()
+    assert target.status == "stopped"
+    assert target.reason.startswith("object 'card' is off the support")
+
+
 def turned(X, rpy):
     return X @ frames.from_rpy(rpy)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
-from ..errors import TaskError
+from ..errors import TaskError, explain
 from ..plan_files import as_motion, as_plan
 from .clock import Clock
 from .course import limits_of
@@ -119,7 +119,7 @@ class Follower(Pursuit):
         try:
             return self._update(t, q, pose, covariance, age)
         except Exception as error:  # in the middle of a motion a loop has to go on
-            self._stop(f"{type(error).__name__}: {error}")
+            self._stop(explain(error))
             return self._target("none", np.zeros_like(self._motion.target))
 
     def _update(self, t: float, q: Any, pose: Any, covariance: Any, age: float) -> Target:
