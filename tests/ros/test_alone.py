@@ -196,6 +196,29 @@ def test_a_misspelt_parameter_is_an_error(alone, name, reason):
     node.destroy_node()
 
 
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("controllers: []", "parameter controllers: []: should name a controller, or be left out"),
+        (
+            "{controllers: [arm], arm: {joints: []}}",
+            "parameter arm.joints: []: should name the joints of this controller",
+        ),
+    ],
+)
+def test_an_empty_list_is_told(alone, tmp_path, text, reason):
+    file = tmp_path / "node.yaml"
+    file.write_text(f"/**:\n  ros__parameters:\n    {text}\n")
+    arguments = ["--ros-args", "--params-file", str(file)]
+    node = rclpy.create_node("empty", context=alone.context, cli_args=arguments)
+    settings.declare(node)
+    try:
+        with pytest.raises(TaskError, match=re.escape(reason)):
+            settings.read(node)
+    finally:
+        node.destroy_node()
+
+
 def test_a_parameter_of_another_type_is_told(alone, capfd):
     overrides = [Parameter("controllers", value=["arm"]), Parameter("arm.joints", value="elbow")]
     node = GrasplessNode(context=alone.context, parameter_overrides=overrides)

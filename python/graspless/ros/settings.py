@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.exceptions import ParameterUninitializedException
 
 from ..errors import TaskError, suggestion
 
@@ -121,9 +122,8 @@ def read(node: Any) -> Settings:
         least = "positive" if name in _POSITIVE else "at least 0"
         if not math.isfinite(value) or value < 0 or (name in _POSITIVE and value <= 0):
             raise TaskError(f"parameter {name}: {value}: should be finite and {least}")
-    controllers = tuple(
-        _controller(node, name) for name in node.get_parameter("controllers").value if name
-    )
+    names = _names(node, "controllers", "name a controller, or be left out")
+    controllers = tuple(_controller(node, name) for name in names)
     taken: dict[str, str] = {}
     for controller in controllers:
         for joint in controller.joints:
@@ -148,13 +148,22 @@ def _check_names(node: Any) -> None:
         node.get_logger().warning(f"parameter {name}: unknown, and ignored")
 
 
+def _names(node: Any, name: str, wanted: str) -> tuple[str, ...]:
+    """Returns a parameter that is a list of names, without empty ones."""
+    try:
+        return tuple(each for each in node.get_parameter(name).value if each)
+    except ParameterUninitializedException:  # ROS has no type for an empty list
+        raise TaskError(f"parameter {name}: []: should {wanted}") from None
+
+
 def _controller(node: Any, name: str) -> Controller:
     for key, default in (("joints", [""]), ("action", ""), ("topic", "")):
         if not node.has_parameter(f"{name}.{key}"):
             node.declare_parameter(f"{name}.{key}", default)
-    joints = tuple(joint for joint in node.get_parameter(f"{name}.joints").value if joint)
+    wanted = "name the joints of this controller"
+    joints = _names(node, f"{name}.joints", wanted)
     if not joints:
-        raise TaskError(f"parameter {name}.joints: should name the joints of this controller")
+        raise TaskError(f"parameter {name}.joints: should {wanted}")
     return Controller(
         name,
         joints,
