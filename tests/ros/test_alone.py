@@ -166,8 +166,20 @@ def test_a_client_that_finds_no_node_says_so(bench, monkeypatch):
     node = rclpy.create_node("lost", namespace="lost")
     try:
         with pytest.raises(TaskError, match="the action pick_object did not come within 0.3 s"):
-            Transcript(node, time.monotonic()).run()
+            Transcript(node, time.monotonic(), {}).run()
     finally:
+        node.destroy_node()
+
+
+def test_a_demo_whose_process_has_ended_says_so(bench, monkeypatch):
+    monkeypatch.setattr(demo, "_PATIENCE", 5.0)
+    node = rclpy.create_node("lost", namespace="lost")
+    ended = subprocess.Popen([sys.executable, "-c", "raise SystemExit(3)"])
+    try:
+        with pytest.raises(TaskError, match="the process fake-robot ended with exit code 3"):
+            Transcript(node, time.monotonic(), {"fake-robot": ended}).run()
+    finally:
+        ended.wait()
         node.destroy_node()
 
 

@@ -45,13 +45,14 @@ def demo(arguments: Sequence[str]) -> int:
         file = Path(folder) / "node.yaml"
         text = yaml.safe_dump({"/**": {"ros__parameters": parameters()}})
         file.write_text(text, encoding="utf-8")
-        stack.enter_context(process("fake-robot"))
-        stack.enter_context(process("node", "--params-file", str(file)))
+        robot = stack.enter_context(process("fake-robot"))
+        served = stack.enter_context(process("node", "--params-file", str(file)))
         rclpy.init(args=["demo", *arguments])
         stack.callback(rclpy.try_shutdown)
         node = rclpy.create_node("demo")
         stack.callback(node.destroy_node)
-        return FOUND if Transcript(node, began).run() else NOT_FOUND
+        running = {"fake-robot": robot, "node": served}
+        return FOUND if Transcript(node, began, running).run() else NOT_FOUND
 
 
 def parameters() -> dict[str, Any]:
@@ -93,10 +94,14 @@ class Transcript:
     node : rclpy.node.Node
     began : float
         Start, by time.monotonic [s].
+    running : dict of Popen
+        Processes that have to go on, by their names.
     """
 
-    def __init__(self, node: Any, began: float) -> None:
-        self._node, self._began = node, began
+    def __init__(
+        self, node: Any, began: float, running: dict[str, subprocess.Popen[bytes]]
+    ) -> None:
+        self._node, self._began, self._running = node, began, running
         self._height: Any = None  # of the bar [m]
         sensor = qos_profile_sensor_data
         node.create_subscription(PoseWithCovarianceStamped, "object_pose", self._hear, sensor)
@@ -111,6 +116,11 @@ class Transcript:
     def _until(self, is_done: Any, what: str) -> None:
         end = time.monotonic() + _PATIENCE
         while not is_done():
+            for name, each in self._running.items():
+                if each.poll() is not None:
+                    raise TaskError(
+                        f"ros demo: the process {name} ended with exit code {each.returncode}"
+                    )
             if time.monotonic() > end:
                 raise TaskError(f"ros demo: {what} did not come within {_PATIENCE:g} s")
             rclpy.spin_once(self._node, timeout_sec=0.1)
