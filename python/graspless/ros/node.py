@@ -67,7 +67,7 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         self.declare_parameter("autostart", True)
         self.settings: Settings
         self.jumps = 0
-        self.is_active = False
+        self.is_active = self._is_idle = False
         self.faults = 0  # exceptions in callbacks
         self._workers = Workers()
         self._parts: list[Callable[[], object]] = []  # that undo what configuring has made
@@ -158,9 +158,10 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
 
     def _close_at_rest(self) -> None:
         """Removes everything at the second look without a goal: results are sent between them."""
-        was_idle, self._is_idle = self._is_idle, all(each.is_idle for each in self._servers)
-        if was_idle and self._is_idle:
+        is_idle = all(each.is_idle for each in self._servers)
+        if is_idle and self._is_idle:
             self.close()
+        self._is_idle = is_idle
 
     def end_goals(self) -> None:
         """Cancels all goals and stops the robot; returns when that is done."""
@@ -227,7 +228,6 @@ class GrasplessNode(LifecycleNode):  # type: ignore[misc]  # rclpy may be untype
         self.streaming = Streaming(self, s, self.joints, self.poses, self)
         self._parts.append(self.streaming.destroy)
         self._servers: list[Server] = []
-        self._is_idle = False
         self._serve_action(PlanTask, "plan_task", self.requests.task_job, task_result)
         self._serve_action(PickObject, "pick_object", self.requests.pick_job, pick_result)
         service = self.create_service(CheckPlan, "check_plan", self._check)
