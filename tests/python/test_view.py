@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and replays: that something is on them, and that a replay needs nothing else."""
 
+import os
 import re
 import shutil
 import socket
@@ -10,6 +11,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import trimesh
 
 import graspless
 from browser_common import served
@@ -311,3 +313,14 @@ offset: [0.0, 0.1, 0.05]
     assert len(pixels(read_png(png), bodies.OBJECT)) > 300
     messages = recording(html.read_text())["messages"]
     assert {"/robot", "/object", "/goal"} <= {m["name"] for _, m in messages if "name" in m}
+
+
+def test_visual_meshes_are_read_once_for_each_change_of_their_file(tmp_path):
+    robot = SimpleNamespace(packages={}, directory=str(tmp_path))
+    path = tmp_path / "a.stl"
+    trimesh.creation.box([1, 1, 1]).export(path)
+    visuals.read_visual("a.stl", robot).apply_scale(2)  # is the caller's own
+    np.testing.assert_allclose(visuals.read_visual("a.stl", robot).extents, 1)
+    trimesh.creation.box([3, 3, 3]).export(path)
+    os.utime(path, ns=(1, 1))
+    np.testing.assert_allclose(visuals.read_visual("a.stl", robot).extents, 3)

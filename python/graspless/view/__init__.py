@@ -162,8 +162,11 @@ def write_html(plan: Plan, path: str | Path, recording: Recording | None = None)
 def check_html(path: str | Path) -> None:
     """Raises TaskError if a replay could not be written, also because viser is missing.
 
-    Called before the work that the replay is to show.
+    Called before the work that the replay is to show. The file's ending is .html or .htm, or
+    missing.
     """
+    if Path(path).suffix.lower() not in ("", ".html", ".htm"):
+        raise TaskError(f"{path}: unknown kind of replay (choices: .html)")
     files.check_writable(path)
     with _told():
         import viser  # noqa: F401

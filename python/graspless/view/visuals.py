@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING, Any
 
 from .. import _mesh_reader
@@ -11,6 +12,8 @@ from ..errors import warn
 from ..tasks.meshes import FOREIGN, SUFFIXES, is_mesh, mesh_path, package_of
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from ..tasks.robots import Robot
 
 
@@ -20,8 +23,6 @@ class UnreadableError(Exception):
 
 def read_visual(name: str, robot: Robot) -> Any:
     """Returns the trimesh of a URDF's visual mesh; raises UnreadableError."""
-    import trimesh
-
     package = package_of(name)
     path = mesh_path(name, robot.packages, robot.directory)
     if not is_mesh(path):
@@ -30,6 +31,13 @@ def read_visual(name: str, robot: Robot) -> Any:
         known = package is None or package in robot.packages
         why = "no such file" if known else f"robot.packages has no {package}"
         raise UnreadableError(f"{name}: {why}")
+    return _read(path, path.stat().st_mtime_ns, name).copy()
+
+
+@functools.lru_cache(maxsize=128)  # each panel of a picture builds the robot anew
+def _read(path: Path, _changed: int, name: str) -> Any:
+    import trimesh
+
     if path.suffix.lower() in FOREIGN:
         try:
             read = _mesh_reader.read(str(path))
