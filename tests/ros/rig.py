@@ -153,6 +153,7 @@ class Bench:
         self.node = GrasplessNode(parameter_overrides=self.overrides)
         assert self.node.start()
         self.client = rclpy.create_node("client")
+        self.others = []
         self.executors = []
         self.threads = []
         self.is_over = threading.Event()
@@ -188,29 +189,27 @@ class Bench:
                 yield name, value
 
     def another_node(self, namespace, remap="joint_states:=/joint_states"):
-        """Returns a node beside the first, for the same robot and in the same thread."""
+        """Returns a node beside the first, for the same robot and in the same thread.
+
+        It lives as long as the bench: no thread may destroy what another one waits for.
+        """
         arguments = ["--ros-args", "-r", remap]
         given = {"parameter_overrides": self.overrides, "cli_args": arguments}
-        node = GrasplessNode(namespace=namespace, **given)
-        assert node.start()
-        self.executors[1].add_node(node)
-        return node
-
-    def remove(self, node):
-        """Ends another node."""
-        self.executors[1].remove_node(node)
-        node.close()
-        node.destroy_node()
+        self.others.append(GrasplessNode(namespace=namespace, **given))
+        assert self.others[-1].start()
+        self.executors[1].add_node(self.others[-1])
+        return self.others[-1]
 
     def close(self):
         self.node.end_goals()
         self.is_over.set()
         for thread in self.threads:
             thread.join()
-        self.node.close()
+        for each in (self.node, *self.others):
+            each.close()
         for executor in self.executors:
             executor.shutdown()
-        for each in (self.client, self.node, self.rig):
+        for each in (self.client, self.node, *self.others, self.rig):
             each.destroy_node()
         rclpy.shutdown()
 

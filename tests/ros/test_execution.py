@@ -217,19 +217,15 @@ def test_deactivating_stops_the_robot(bus):
 def test_shutting_down_stops_the_robot_and_ends_the_goals(bus):
     node = bus.another_node("ending")
     client = ActionClient(bus.client, PlanTask, "/ending/plan_task")
-    try:
-        assert client.wait_for_server(PATIENCE)
-        result = bus.wait(client.send_goal_async(goal())).get_result_async()
-        bus.until(lambda: moved(bus) > 0.05, "nothing moved")
-        bus.wait(bus.executors[1].create_task(node.trigger_shutdown))
-        motion = bus.wait(result, "result").result.motion
-        assert (motion.status, motion.reason) == ("stopped", "the node is shutting down")
-        assert not bus.rig.orders
-        bus.until(lambda: not client.server_is_ready(), "the action is still served")
-        assert node.faults == 0
-    finally:
-        client.destroy()
-        bus.remove(node)
+    assert client.wait_for_server(PATIENCE)
+    result = bus.wait(client.send_goal_async(goal())).get_result_async()
+    bus.until(lambda: moved(bus) > 0.05, "nothing moved")
+    bus.wait(bus.executors[1].create_task(node.trigger_shutdown))
+    motion = bus.wait(result, "result").result.motion
+    assert (motion.status, motion.reason) == ("stopped", "the node is shutting down")
+    assert not bus.rig.orders
+    bus.until(lambda: not client.server_is_ready(), "the action is still served")
+    assert node.faults == 0
 
 
 def test_follows_a_slide_in_closed_loop(bus):

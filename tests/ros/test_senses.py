@@ -282,16 +282,13 @@ def test_picks_an_object_of_an_image(camera, image):
 def test_the_name_of_the_topic_says_whether_images_are_rectified(camera, topic):
     image, info, found = picture()
     info.p, info.d = np.hstack([found.K, np.zeros((3, 1))]).ravel().tolist(), [0.1]
-    node = camera.another_node("eyes", f"depth/image_rect:={topic}")
-    try:
-        node.camera.hear("image", image)
-        node.camera.hear("info", info)
-        is_raw = topic.endswith("image_raw")
-        with pytest.raises(RefusedError, match="distorted") if is_raw else nullcontext():
-            seen = node.camera.look("image", 0.0, 1.0, PATIENCE, Alarm())
-            np.testing.assert_array_equal(seen.K, found.K)
-    finally:
-        camera.remove(node)
+    node = camera.another_node(f"eyes_{topic[-3:]}", f"depth/image_rect:={topic}")
+    node.camera.hear("image", image)
+    node.camera.hear("info", info)
+    is_raw = topic.endswith("image_raw")
+    with pytest.raises(RefusedError, match="distorted") if is_raw else nullcontext():
+        seen = node.camera.look("image", 0.0, 1.0, PATIENCE, Alarm())
+        np.testing.assert_array_equal(seen.K, found.K)
 
 
 def test_picks_an_object_of_a_cloud(camera):
