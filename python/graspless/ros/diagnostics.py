@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from .goals import Desk
-    from .node import GrasplessNode
 
 
 def _status(name: str, level: bytes, text: str, **values: Any) -> Any:
@@ -44,8 +43,8 @@ def goals_status(desk: Desk, is_active: bool, has_faults: bool, counts: dict[str
     return _status("goals", level, text, under_way=desk.size, **counts, **desk.counts)
 
 
-def statuses(node: GrasplessNode) -> list[Any]:
-    """Returns one DiagnosticStatus for each thing that a node depends on."""
+def statuses(node: Any) -> list[Any]:
+    """Returns one DiagnosticStatus for each thing that a GrasplessNode depends on."""
     s, late = node.settings, node.joints.out_of_order
     counts = {
         "faults_in_callbacks": node.faults,
