@@ -162,6 +162,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         ),
         (["plan", "task.yaml", "--png", "a.gif"], "a.gif: unknown kind of picture (choices: .png)"),
         (["plan", "task.yaml", "-o", "task.yaml"], "task.yaml: would replace an input"),
+        (["plan", "task.yaml", "-o", "./task.yaml"], "task.yaml: would replace an input"),
         (["plan", "task.yaml", "-o", "a.html", "--html", "a.html"], "replace the file of --output"),
         (["robot", "join", "a.urdf", "b.urdf", "--mount", "m", "-o", "a.urdf"], "replace an input"),
         (["view", "plan.json", "--html", "plan.json"], "plan.json: would replace an input"),
