@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Replays of every kind: what can be hidden, how fast they run, and what became of a plan."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,7 @@ from clasp_common import PURSE
 from fingertip_common import PUSH
 from graspless import TaskError, frames, view
 from graspless._data import directory
+from graspless.kinds import part
 from graspless.simulation.results import Recording
 from graspless.tasks import read_task
 from tasks_common import GOOD, last_positions, pixels, read_png, recording
@@ -19,7 +22,8 @@ pytest.importorskip("viser")
 from graspless.view import bodies, clock, film, film_stage, replay  # noqa: E402
 from graspless.view import server as servers  # noqa: E402
 
-BY_AN_ARM = (directory("examples") / "12_t42_tumble.yaml").read_text()
+EXAMPLES = directory("examples")
+BY_AN_ARM = (EXAMPLES / "12_t42_tumble.yaml").read_text()
 TASKS = {"slide": GOOD, "fingertip": PUSH, "clasp": PURSE}
 LAYERS = {
     "slide": {"robot", "object", "table", "goal", "trail", "contact", "caption"},
@@ -160,6 +164,24 @@ def test_recording_without_the_plans_poses_is_told_of_by_segment(plan, tmp_path)
     texts = told(replayed(plan, tmp_path, happened)[0]["messages"])
     assert texts[-1] == "raise"
     assert "from the plan" in texts[-2]
+
+
+@pytest.mark.parametrize(
+    ("example", "name", "verb"),
+    [
+        ("01_slide_card", "card", "slides"),
+        ("06_push_block", "block", "Sliding"),
+        ("13_clasp_purse", "purse", "clasps"),
+        ("24_carry_bar", "bar", "carries"),
+        ("25_pinch_box", "box", "pinches"),
+    ],
+)
+def test_title_has_an_article_before_a_word_alone(example, name, verb):
+    task = (EXAMPLES / f"{example}.yaml").read_text()
+    for given, shown in ((name, f"the {name}"), ("Mug 2", "Mug 2")):
+        plan = graspless.plan(read_task(task.replace(f"name: {name}", f"name: {given}", 1), "task"))
+        title = part("view", plan.kind, "picture").headline(plan)
+        assert re.search(rf"\b{verb} {shown}\b", title), title
 
 
 @pytest.mark.parametrize("text", [GOOD, BY_AN_ARM], ids=["slide", "fingertip by an arm"])

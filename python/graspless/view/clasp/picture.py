@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from ...report import the
 from .. import raster
 from ..bodies import LOOP
 from ..figures import INK, draw_panel, failure, new_figure
@@ -69,13 +70,12 @@ def headline(plan: Plan) -> str:
     problem = plan.task.problem
     if not plan:
         return failure(plan)
-    name = problem.object.name
     assert plan.stability is not None
     loops = len(problem.object.loops.found)
     which = "" if loops == 1 else f" by loop {plan.loop or 0} of {loops} (from 0)"
     held = "secure" if plan.stability.secure else "not secure"
     margin = f"{held}, margin {plan.stability.margin:.2f}"
-    return f"{problem.robot.name} clasps the {name}{which}: {margin}"
+    return f"{problem.robot.name} clasps {the(problem.object.name)}{which}: {margin}"
 
 
 def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:

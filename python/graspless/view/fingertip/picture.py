@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ... import frames
+from ...report import the
 from .. import raster
 from ..bodies import obstacles
 from ..figures import INK, draw_panel, failure, new_figure
@@ -141,7 +142,7 @@ def _draw_head(axes: Any, plan: Plan) -> None:
     axes.set_axis_off()
     axes.set_xlim(0, 1)
     axes.set_ylim(0, 1)
-    axes.text(0, 0.42, _headline(plan), fontsize=14, color=INK, va="center")
+    axes.text(0, 0.42, headline(plan), fontsize=14, color=INK, va="center")
     if not plan.segments:
         return
     balls = [
@@ -160,14 +161,16 @@ def _draw_head(axes: Any, plan: Plan) -> None:
     )  # fmt: skip
 
 
-def _headline(plan: Plan) -> str:
+def headline(plan: Plan) -> str:
+    """Returns a title: the result of the plan, or the reason of failure."""
     if not plan and not plan.segments:
         return failure(plan)
-    name = plan.task.problem.object.name
+    name = the(plan.task.problem.object.name)
     names = dict.fromkeys(s.name for s in plan.segments if s.name != "regrasp")
     verbs = [f"{word[:-1]}ing" if word.endswith("e") else f"{word}ing" for word in names]
     fingers = plan.task.problem.fingers.count
     tips = f"{fingers} fingertip{'s' if fingers > 1 else ''}"
     changes = plan.regrasps
     grips = "" if not changes else f", {changes} regrasp{'s' if changes > 1 else ''}"
-    return f"{' and '.join(verbs)} the {name} with {tips}{grips}".capitalize()
+    moves = " and ".join(verbs).capitalize()
+    return f"{moves} {name} with {tips}{grips}"

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ...report import the
 from ...report.pinch import width
 from .. import raster
 from ..figures import failure, panels
@@ -37,5 +38,5 @@ def headline(plan: Plan) -> str:
     problem = plan.task.problem
     if not plan:
         return failure(plan)
-    name = problem.object.name
-    return f"{problem.robot.name} pinches the {name} where it is {1000 * width(plan):.0f} mm wide"
+    pinched = f"{problem.robot.name} pinches {the(problem.object.name)}"
+    return f"{pinched} where it is {1000 * width(plan):.0f} mm wide"

@@ -12,6 +12,7 @@ from matplotlib.patches import Patch
 from matplotlib.path import Path
 
 from ... import frames
+from ...report import the
 from .. import raster
 from ..bodies import OBJECT, TRAIL, obstacles
 from ..figures import INK, draw_panel, failure, hull, new_figure
@@ -50,18 +51,18 @@ def draw(plan: Plan) -> Figure:
         picture = raster.render(stage.placed(shown, row), camera, *PANEL)
         draw_panel(axes, picture, caption, pad=3)
     _draw_key(figure, shown)
-    figure.suptitle(_headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
+    figure.suptitle(headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
     return figure
 
 
-def _headline(plan: Plan) -> str:
+def headline(plan: Plan) -> str:
+    """Returns a title: the result of the plan, or the reason of failure."""
     if not plan:
         return failure(plan)
-    name = plan.task.problem.object.name
     distance = np.linalg.norm(plan.X_WO_goal[:3, 3] - plan.X_WO_start[:3, 3])
-    robot = plan.task.problem.robot.name
-    moved = f"{robot} slides the {name} {distance * 100:.0f} cm"
-    is_left = plan.task.problem.X_WO_end is not None
+    problem = plan.task.problem
+    moved = f"{problem.robot.name} slides {the(problem.object.name)} {distance * 100:.0f} cm"
+    is_left = problem.X_WO_end is not None
     return f"{moved} and leaves it there" if is_left else f"{moved} to the edge and grasps it there"
 
 
