@@ -138,10 +138,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         if self._trial is not None:
             raise TaskError("step: the episode has ended: should be reset first")
         running = self._running
-        given = np.asarray(action, dtype=float)
-        if given.shape != self.action_space.shape or not np.isfinite(given).all():
-            raise TaskError(f"action: {given}: should be {len(self.joint_names)} finite numbers")
-        share = (np.clip(given, -1.0, 1.0) + 1) / 2
+        share = (self._checked(action) + 1) / 2
         command = self.action_low + share * (self.action_high - self.action_low)
         for _ in range(self._every):
             running.data.ctrl[:] = command
@@ -185,6 +182,20 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         if self._episode is None:
             raise TaskError("no episode is running: should be reset first")
         return self._episode
+
+    def _checked(self, action: ArrayLike) -> NDArray[np.float64]:
+        """Returns the action [dof], cut off at -1 and 1."""
+        shape = self.action_space.shape
+        try:
+            given = np.asarray(action, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            given = np.array(np.nan)
+        if given.shape != shape or not np.isfinite(given).all():
+            raise TaskError(
+                f"action: {action!r}: should be an array of shape {shape} "
+                "of finite numbers in [-1, 1]"
+            )
+        return np.clip(given, -1.0, 1.0)
 
     def _prepare(self, random: np.random.Generator) -> None:
         """Draws tasks until one has a plan."""
