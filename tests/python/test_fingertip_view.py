@@ -15,7 +15,7 @@ pytest.importorskip("viser")
 
 from graspless import view  # noqa: E402
 from graspless.view.bodies import OBJECT  # noqa: E402
-from graspless.view.fingertip import bodies, stage  # noqa: E402
+from graspless.view.fingertip import bodies, carried, stage  # noqa: E402
 from graspless.view.fingertip.film import film  # noqa: E402
 from graspless.view.fingertip.moments import measure, moments, progress  # noqa: E402
 
@@ -152,3 +152,12 @@ def test_plan_without_motion_is_drawn_as_it_starts(plan, tmp_path):
     view.write_png(failed, tmp_path / "a.png")
     assert len(pixels(read_png(tmp_path / "a.png"), OBJECT)) > 300
     view.write_html(failed, tmp_path / "a.html")
+
+
+def test_the_arm_is_not_between_the_object_and_the_viewer():
+    arm = carried._along(np.array([[0.0, -0.8, 0.0], [0.0, -0.8, 0.4], [0.0, 0.0, 0.2]]))
+    before = np.array([0.0, -0.9, 0.4])
+    shown = carried._unhidden([arm], before, 0.1)
+    assert carried._clearance(arm, before, 0.1) < 0.2
+    assert carried._clearance(arm, shown, 0.1) == carried.CLEAR
+    np.testing.assert_array_equal(carried._unhidden([arm], -before, 0.1), -before)
