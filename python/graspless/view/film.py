@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
+from . import bodies
 from .clock import LONGEST, clock_of, pace_of
 
 if TYPE_CHECKING:
@@ -59,6 +60,11 @@ class Film:
         """Poses of every frame of the robot in the world, [N, F, 4, 4]."""
         robot = self.plan.task.problem.robot
         return np.array([np.asarray(robot.forward(q)) for q in self.positions])
+
+    @cached_property
+    def robot(self) -> list[bodies.Body]:
+        """Bodies of the robot, one for each frame."""
+        return bodies.robot(self.plan.task)
 
     def frame(self, name: str) -> Matrix:
         """Returns the poses of one frame of the robot in the world, [N, 4, 4]."""

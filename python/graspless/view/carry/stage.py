@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot, vertices_of
+from ..bodies import obstacles, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -30,7 +30,7 @@ class Scene:
         self.shown = shown
         task = shown.plan.task
         self.object = bodies.object_body(task)
-        self.links = robot(task)
+        self.links = shown.robot
         self.still = [*bodies.supports(task), *obstacles(task)]
 
     def moving(self, row: int) -> list[tuple[Body, Matrix]]:

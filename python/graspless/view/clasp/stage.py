@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot, vertices_of
+from ..bodies import obstacles, vertices_of
 from ..raster import Camera
 from . import bodies
 from .film import linking
@@ -32,7 +32,7 @@ class Scene:
     def __init__(self, plan: Plan, shown: Film) -> None:
         self.plan, self.shown = plan, shown
         self.object = bodies.object_body(plan.task)
-        self.links = robot(plan.task)
+        self.links = shown.robot
         self.obstacles = obstacles(plan.task)
         marks = [*bodies.loop_bodies(plan), bodies.target_body(plan)]
         self.marks = [body for body in marks if body.parts]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, robot, vertices_of
+from ..bodies import obstacles, vertices_of
 from ..raster import Camera
 from . import bodies
 
@@ -47,7 +47,7 @@ def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
         (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
         (bodies.object_body(task), shown.object_poses[row]),
         *obstacles(task),
-        *zip(robot(task), shown.link_poses[row], strict=True),
+        *zip(shown.robot, shown.link_poses[row], strict=True),
         (bodies.trail_body(shown), np.eye(4)),
     ]
     return [(body, X_WB) for body, X_WB in found if body.parts]
@@ -83,7 +83,8 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     direction /= np.linalg.norm(direction)
     direction[2] = 0.62
     eye = middle + 2.7 * direction
-    points = _seen(shown, [row for row, _ in moments(shown)] if rows is None else rows)
+    seen = [row for row, _ in moments(shown)] if rows is None else rows
+    points = vertices_of(body for row in seen for body in placed(shown, row))
     return Camera(eye, middle).fitted(points, width, height)
 
 
@@ -92,18 +93,3 @@ def _to_obstacle(shown: Film) -> Matrix:
     p_WO = shown.object_poses[0][:3, 3]
     ways = [np.asarray(body.X_WB)[:3, 3] - p_WO for body in shown.plan.task.problem.obstacles]
     return min(ways, key=lambda way: float(np.linalg.norm(way)), default=np.zeros(3))
-
-
-def _seen(shown: Film, rows: Sequence[int]) -> Matrix:
-    """Returns the vertices of all bodies at the rows, [N, 3] in the world."""
-    links = robot(shown.plan.task)
-    thing = bodies.object_body(shown.plan.task)
-    moving = [
-        (body, X_WB)
-        for row in rows
-        for body, X_WB in (
-            (thing, shown.object_poses[row]),
-            *zip(links, shown.link_poses[row], strict=True),
-        )
-    ]
-    return vertices_of(placed(shown, rows[0]) + moving)
