@@ -195,7 +195,8 @@ class PlanEnv(gymnasium.Env[Any, Any]):
                 f"action: {action!r}: should be an array of shape {shape} "
                 "of finite numbers in [-1, 1]"
             )
-        return np.clip(given, -1.0, 1.0)
+        cut: NDArray[np.float64] = np.clip(given, -1.0, 1.0)
+        return cut
 
     def _prepare(self, random: np.random.Generator) -> None:
         """Draws tasks until one has a plan."""

@@ -34,7 +34,7 @@ def read_visual(name: str, robot: Robot) -> Any:
     return _read(path, path.stat().st_mtime_ns, name).copy()
 
 
-@functools.lru_cache(maxsize=128)  # each panel of a picture builds the robot anew
+@functools.lru_cache(maxsize=128)  # each stage of a chain builds the robot anew
 def _read(path: Path, _changed: int, name: str) -> Any:
     import trimesh
 
