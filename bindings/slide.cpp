@@ -388,6 +388,10 @@ void bind_plan(py::module_& m) {
               "q_home."});
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(
+      Field{"max_mass", &Plan::max_mass,
+            "Largest mass that the fingers bear when they lift the object [kg]; None if the effort "
+            "limit of a joint that must is unknown, or with an end."});
+  field(
       Field{"overhang", &Plan::overhang,
             "Length of the object beyond the edge at the goal [m]; 0 for a problem with an end."});
   field(Field{"tube", &Plan::tube,

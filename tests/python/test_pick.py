@@ -237,6 +237,31 @@ def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
         assert unseen == f"nobody saw the top {what.split(',')[0]}"
 
 
+def test_a_slide_needs_fingers_that_bear_the_object():
+    scene = seen(([0.2, 0.09, 0.02], 0.6, 0.1, 0.01, 0.3))
+    name = scene.objects[0].name
+
+    def slid(mass):
+        return graspless.pick(scene, name, "wam_t42", mass=mass, strategies=["slide"]).plan
+
+    borne = slid(0.3).stages[0].max_mass
+    plan = slid(1.05 * borne)
+    assert plan.stages[0].max_mass >= 1.05 * borne
+    assert not plan.stages[0].warnings
+    wish = _wish(scene, name)
+    document = plan.task.to_dict()
+    told = []
+    for seed in range(1, 9):  # these plans are not compared with what the camera saw
+        found = graspless.plan({**document, "budget": {"seed": seed, "seconds": 5.0}})
+        first = found.stages[0]
+        heavy = first.max_mass < 1.05 * borne
+        assert heavy == any("its fingers bear" in text for text in first.warnings)
+        assert heavy == ("the fingers bear" in doubt(found, wish))
+        told.append(heavy)
+    assert any(told)
+    assert not all(told)
+
+
 def test_the_centre_of_mass_is_that_of_what_was_seen():
     """A thin bar with a thick end."""
     sizes = [([0.16, 0.03, 0.006], [0, 0, 0.003]), ([0.04, 0.04, 0.03], [0.1, 0, 0.015])]

@@ -74,7 +74,9 @@ void assemble(const Query& query, const Motions& motions, const Slid& slide, Pla
   }
   plan.X_WO_goal = X_WO_goal;
   plan.tube = slide.tube;
-  for (const Warning& warning : warnings(query.problem, slide.pressed)) {
+  const std::optional<Bearing> held = bearing(query.problem, plan);
+  if (held) plan.max_mass = held->max_mass;
+  for (const Warning& warning : warnings(query.problem, slide.pressed, held)) {
     plan.warnings.push_back(warning.text());
   }
   plan.status = Status::solved;

@@ -928,6 +928,14 @@ class Plan:
     def joint_names(self, arg1: collections.abc.Sequence[str]) -> None:
         ...
     @property
+    def max_mass(self) -> float | None:
+        """
+        Largest mass that the fingers bear when they lift the object [kg]; None if the effort limit of a joint that must is unknown, or with an end.
+        """
+    @max_mass.setter
+    def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+        ...
+    @property
     def overhang(self) -> float:
         """
         Length of the object beyond the edge at the goal [m]; 0 for a problem with an end.

@@ -29,10 +29,11 @@ CELL = 0.006  # between points at which the height is looked at [m]
 
 def doubt(plan: Any, wish: Wish) -> str:
     """Says why the first stage of a chain, or a slide at its end, misses the object as it was
-    measured; or nothing.
+    measured, or cannot bear it; or nothing.
 
-    A slide needs the measured height where the finger presses. Plans that take the object for a
-    prism also need it where the hand closes: a slide the whole height, a pinch that of the fingers.
+    A slide needs the measured height where the finger presses, and fingers that bear the object at
+    the edge. Plans that take the object for a prism also need the height where the hand closes: a
+    slide the whole height, a pinch that of the fingers.
     """
     stage = plan.stages[-1]
     if stage.kind != "slide":
@@ -65,6 +66,11 @@ def _doubt_slide(stage: Any, wish: Wish) -> str:
                 f"where {what}, it is {1000 * height:.0f} mm high, its top {1000 * top:.0f} mm: at "
                 f"most {1000 * lower:.0f} mm lower is allowed"
             )
+    if stage.max_mass is not None and float(thing.mass) > stage.max_mass:
+        return (
+            f"where the hand grasps it, the fingers bear {stage.max_mass:.2f} kg; "
+            f"it weighs {float(thing.mass):.2f} kg"
+        )
     return ""
 
 

@@ -75,6 +75,11 @@ class SlidePlanFile(PlanFields):
     overhang: float = Field(
         description="length of the object beyond the edge at the goal [m]; 0 with an end"
     )
+    max_mass: float | None = Field(
+        default=None,
+        description="largest mass that the fingers bear when they lift the object [kg]; null if "
+        "the effort limit of a joint that must is unknown, or with an end",
+    )
     X_WO_goal: PoseRow = Field(description="pose of the object after the slide")
     X_WH_grasp: PoseRow = Field(
         description="pose of the hand's grasp frame at the grasp; the identity with an end"

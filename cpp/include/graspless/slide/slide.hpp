@@ -88,6 +88,9 @@ struct Plan {
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g; means nothing with an end
   double overhang = 0;                                           ///< u at the goal [m]; as above
+  /// Largest mass that the fingers bear when they lift the object [kg]; none if the effort limit of
+  /// a joint that must is unknown, or with an end.
+  std::optional<double> max_mass;
   Tube tube;                          ///< of the slide; a plan without values claims no bounds
   std::vector<std::string> warnings;  ///< risks that the plan carries, one sentence each
   Statistics statistics;

@@ -58,17 +58,32 @@ std::optional<Warning> of_trailing(const Problem& problem, const Rows& rows, dou
                      "(support.friction) helps"};
 }
 
+/// The fingers grasp too far from the centre of mass for their joints.
+std::optional<Warning> of_weight(const Problem& problem, const std::optional<Bearing>& held,
+                                 double beyond) {
+  if (!held || problem.object.mass() <= beyond * held->max_mass) return std::nullopt;
+  std::ostringstream out;
+  out << std::setprecision(2) << held->max_mass << " kg where they grasp, with the centre of mass "
+      << in_mm(held->lever) << " beyond their tips and " << in_mm(held->offset) << " aside, and "
+      << in_mm(held->depth) << " of the object between them (object.mass " << std::setprecision(6)
+      << problem.object.mass() << " kg); a larger options.min_overhang helps";
+  return Warning{"the hand may lose the object when it lifts it: its fingers bear ", out.str()};
+}
+
 }  // namespace
 
 std::vector<Warning> warnings(const Problem& problem, const std::vector<PressedRow>& rows,
-                              double beyond) {
-  if (const auto drag = of_drag(problem, rows, beyond))
-    return {*drag};  // then the others mean nothing
+                              const std::optional<Bearing>& held, double beyond) {
   std::vector<Warning> found;
-  for (const auto& warning :
-       {of_torsion(problem, rows, beyond), of_trailing(problem, rows, beyond)}) {
+  const auto add = [&found](const std::optional<Warning>& warning) {
     if (warning) found.push_back(*warning);
+    return warning.has_value();
+  };
+  if (!add(of_drag(problem, rows, beyond))) {  // else these two mean nothing
+    add(of_torsion(problem, rows, beyond));
+    add(of_trailing(problem, rows, beyond));
   }
+  add(of_weight(problem, held, beyond));
   return found;
 }
 

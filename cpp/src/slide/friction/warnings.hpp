@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "slide/bearing.hpp"
 #include "slide/friction/pressed.hpp"
 
 namespace graspless::slide {
@@ -15,9 +17,9 @@ struct Warning {
   std::string text() const { return risk + rest; }
 };
 
-/// Returns the risks of a slide that follow from friction, where they exceed the smallest
-/// ones that are worth a warning by the factor `beyond`. See torsion.hpp.
+/// Returns the risks that follow from the friction of a slide and from the weight after it, where
+/// they exceed the smallest ones that are worth a warning by the factor `beyond`. See torsion.hpp.
 std::vector<Warning> warnings(const Problem& problem, const std::vector<PressedRow>& rows,
-                              double beyond = 1);
+                              const std::optional<Bearing>& held, double beyond = 1);
 
 }  // namespace graspless::slide
