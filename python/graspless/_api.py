@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, overload
 from . import limits, planning, proving
 from ._arguments import require_number, require_type
 from ._load import as_task
-from .errors import TaskError
+from .errors import TaskError, shown
 from .kinds import plan_type
 from .plan_files import as_plan
 from .proving import proof
@@ -192,7 +192,7 @@ def plan(
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
     if prove is None:
         if jobs != 1:
-            raise TaskError(f"jobs: {jobs!r}: should be 1 without prove, whose trials they do")
+            raise TaskError(f"jobs: {shown(jobs)}: should be 1 without prove, whose trials they do")
         return (plan_certified if certify else plan_since)(task, clock.began, budget)
     if certify:
         raise TaskError("certify: cannot be combined with prove: each searches by its own rule")

@@ -9,11 +9,12 @@ import numbers
 import operator
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .errors import TaskError
+from .errors import TaskError, should_be, shown
 
-_LONGEST = 60  # characters of a value in a message
+if TYPE_CHECKING:
+    from collections.abc import Collection
 
 
 def require_integer(name: str, value: Any, least: int, most: float = math.inf) -> int:
@@ -23,42 +24,54 @@ def require_integer(name: str, value: Any, least: int, most: float = math.inf) -
     except TypeError:
         number = None
     if number is None or isinstance(value, bool):
-        raise TaskError(f"{name}: {value!r}: should be a whole number")
+        raise TaskError(f"{name}: {shown(value)}: should be a whole number")
     if number < least:
         what = f"should be at least {least}" if least else "should not be negative"
-        raise TaskError(f"{name}: {number}: {what}")
+        raise TaskError(f"{name}: {shown(number)}: {what}")
     if number > most:
-        raise TaskError(f"{name}: {number}: should be at most {most}")
+        raise TaskError(f"{name}: {shown(number)}: should be at most {most}")
     return number
 
 
-def require_number(name: str, value: Any) -> None:
-    """Raises TaskError unless the value is a number, possibly infinite or NaN."""
+def require_number(name: str, value: Any, other: str = "") -> None:
+    """Raises TaskError unless the value is a number, possibly infinite or NaN.
+
+    The message names what `other` than a number it may be.
+    """
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TaskError(f"{name}: {value!r}: should be a number")
+        raise TaskError(f"{name}: {shown(value)}: should be a number{other}")
+    try:
+        float(value)
+    except OverflowError:
+        raise TaskError(f"{name}: {shown(value)}: should have at most 308 digits") from None
 
 
 def require_above_zero(name: str, value: Any) -> None:
     """Raises TaskError unless the value is a number above 0, possibly infinite."""
     require_number(name, value)
     if not float(value) > 0:
-        raise TaskError(f"{name}: {value!r}: should be above 0")
+        raise TaskError(f"{name}: {shown(value)}: should be above 0")
 
 
 def require_within(name: str, value: Any, least: float, most: float) -> None:
     """Raises TaskError unless the value is a number from `least` to `most`."""
     require_number(name, value)
     if not least <= value <= most:
-        raise TaskError(f"{name}: {value!r}: should lie in [{least:g}, {most:g}]")
+        raise TaskError(f"{name}: {shown(value)}: should lie in [{least:g}, {most:g}]")
+
+
+def require_choice(name: str, value: Any, known: Collection[str]) -> None:
+    """Raises TaskError unless the value is one of the `known` names."""
+    if not isinstance(value, str) or value not in known:
+        given = value if isinstance(value, str) else shown(value)
+        raise TaskError(f"{name}: {given}: {should_be(given, known)}")
 
 
 def require_type(name: str, value: Any, *types: type) -> None:
     """Raises TaskError unless the value has one of the types, which the message names."""
     if not isinstance(value, types):
         named = " or ".join(map(_named, types))
-        given = repr(value)
-        given = given if len(given) <= _LONGEST else _named(type(value))
-        raise TaskError(f"{name}: {given}: should be a {named}")
+        raise TaskError(f"{name}: {shown(value)}: should be a {named}")
 
 
 def _named(kind: type) -> str:
@@ -74,4 +87,4 @@ def require_path(name: str, value: Any, other: str) -> str | Path:
         return value
     if isinstance(value, os.PathLike):
         return Path(value)
-    raise TaskError(f"{name}: {value!r}: should be {other}, or the path of its file")
+    raise TaskError(f"{name}: {shown(value)}: should be {other}, or the path of its file")

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
-from ._arguments import require_path
-from .errors import TaskError, should_be
+from ._arguments import require_choice, require_path
+from .errors import TaskError, shown
 from .kinds import KINDS
 from .tasks import Task, read_task, task_from_dict
 from .tasks.kind import is_problem
@@ -62,8 +62,11 @@ def load_task(path: str | Path, kind: str | None = None, *, trust: bool = False)
         A ValueError whose lines read ``file:line: field: value: what it may be``; or the task is
         of another kind, or there is no such kind.
     """
-    if kind is not None and kind not in KINDS:
-        raise TaskError(f"kind: {kind}: {should_be(kind, KINDS)}")
+    if kind is not None:
+        require_choice("kind", kind, KINDS)
+    if isinstance(path, Mapping):
+        what = "should be the path of a file; graspless.plan takes the fields of a task"
+        raise TaskError(f"path: {shown(path)}: {what}")
     task = read_task(read_text(path), str(path), Path(path).resolve().parent, trust=trust)
     if kind is not None and task.kind != kind:
         raise task.source.error(("kind",), f"should be '{kind}'")

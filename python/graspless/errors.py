@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import numbers
 import re
 import sys
 from pathlib import Path
@@ -31,6 +32,9 @@ EXTRAS = {  # that bring a package, the smallest first
     "toppra": ("timing", "sim", "ros", "rerun", "gym"),
     "viser": ("view",),
 }
+
+
+LONGEST = 60  # characters of a value in a message
 
 
 class TaskError(ValueError):
@@ -60,6 +64,16 @@ def explain(error: BaseException) -> str:
     if isinstance(error, ValueError) and first:
         return first
     return f"{type(error).__name__}: {first}" if first else type(error).__name__
+
+
+def shown(value: object) -> str:
+    """Returns a value in a message: in one line, and cut where it is long."""
+    try:
+        text = str(value) if isinstance(value, numbers.Number) else repr(value)
+    except ValueError:  # more digits than Python writes
+        return "a number of many digits"
+    text = re.sub(r"\s*\n\s*", " ", text)
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
 def warn(text: str) -> None:

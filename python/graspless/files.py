@@ -10,10 +10,12 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .errors import TaskError
+from .errors import TaskError, shown
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+LONGEST = 4096  # characters of a path: longer text is no path, but perhaps the content of a file
 
 
 def check_writable(path: str | Path) -> None:
@@ -37,10 +39,10 @@ def absence(path: str | Path) -> str:
     return "is not a file" if path.exists() else "no such file"
 
 
-def as_path(path: str | Path) -> Path:
+def as_path(path: object) -> Path:
     """Returns a path; raises TaskError if it is something else."""
-    if not isinstance(path, (str, os.PathLike)):
-        raise TaskError(f"{path!r}: should be the path of a file")
+    if not isinstance(path, (str, os.PathLike)) or len(os.fspath(path)) > LONGEST:
+        raise TaskError(f"{shown(path)}: should be the path of a file")
     return Path(path)
 
 

@@ -128,7 +128,7 @@ def test_python_takes_the_file_too(plan_file, engine):
     for rate in (0, -1, float("nan"), "a"):
         with pytest.raises(graspless.TaskError, match="rate"):
             trajectory.sampled(rate)
-    with pytest.raises(graspless.TaskError, match="robot: wam_t42: should be a"):
+    with pytest.raises(graspless.TaskError, match="robot: 'wam_t42': should be a"):
         graspless.time(plan_file, "wam_t42")
 
 

@@ -207,6 +207,39 @@ def test_the_kind_of_a_task_file_can_be_demanded():
         graspless.load_task(path, "clap")
 
 
+def test_fields_are_not_loaded_but_planned():
+    with pytest.raises(TaskError, match="path: {'kind': 'slide'}: .*; graspless.plan takes the fi"):
+        graspless.load_task({"kind": "slide"})
+
+
+@pytest.mark.parametrize(
+    "given", [{"kind": list(range(9999))}, [0.5] * 9999, "x" * 9999, b"x" * 9999, np.eye(99)]
+)
+@pytest.mark.parametrize(
+    "call",
+    [
+        graspless.load_task,
+        graspless.load_plan,
+        graspless.check,
+        graspless.time,
+        lambda given: graspless.load_task("task.yaml", {"kind": given}),
+        lambda given: graspless.plan("task.yaml", seconds=given),
+        lambda given: graspless.plan("task.yaml", budget=given),
+    ],
+)
+def test_long_values_are_cut_in_messages(call, given):
+    with pytest.raises(TaskError, match="should be") as caught:
+        call(given)
+    assert len(str(caught.value)) < 200
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("digits", [400, 5000])
+def test_numbers_beyond_a_float_are_refused(digits):
+    with pytest.raises(TaskError, match="seconds: .*: should have at most 308 digits"):
+        graspless.plan("task.yaml", seconds=10**digits)
+
+
 def test_options_and_budget_of_another_type_are_refused():
     problem = fingertip_problem()
     with pytest.raises(TaskError, match="options: .*: should be a graspless.fingertip.Options"):

@@ -74,7 +74,7 @@ def test_trajectory_equals_itself_alone():
     assert trajectory != trajectory.at(trajectory.times)
 
 
-@pytest.mark.parametrize("times", [[], float("nan"), [[0.0, 1.0]]])
+@pytest.mark.parametrize("times", [[], float("nan"), [[0.0, 1.0]], "now", [[1], [2, 3]], [{}]])
 def test_trajectory_at_no_times(times):
     with pytest.raises(TaskError, match="times: .*should be one or more finite numbers"):
         timed("push").at(times)
@@ -455,6 +455,10 @@ def test_limits_beside_those_of_the_urdf():
         ("slide", {"max_velocity": {0: 1.0}}, ["max_velocity", "0", "name of a joint"]),
         ("slide", {"contact_speed": -0.1}, ["contact_speed", "-0.1"]),
         ("slide", {"rate": 0}, ["rate", "0"]),
+        ("slide", {"rate": 10**400}, ["rate", "at most 308 digits"]),
+        ("slide", {"rate": np.complex64(1)}, ["rate", "1+0j", "a number"]),
+        ("slide", {"robot": "wam"}, ["robot", "'wam'", "graspless.robot.Robot"]),
+        ("slide", {"max_velocity": [1] * 999}, ["max_velocity", "[1, 1, 1", "1,...: should be"]),
         ("slide", {"pause": 0}, ["pause", "0"]),
         ("slide", {"fingers": True}, ["fingers", "slide"]),
         ("clasp", {"fingers": True}, ["fingers", "clasp"]),

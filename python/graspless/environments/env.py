@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import frames, timing
 from .._api import plan as plan_task
-from ..errors import TaskError
+from ..errors import TaskError, shown
 from ..simulation import simulation_kind
 from ..simulation.variation import Variation
 from ..simulation.variation import draw as draw_variation
@@ -192,7 +192,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
             given = np.array(np.nan)
         if given.shape != shape or not np.isfinite(given).all():
             raise TaskError(
-                f"action: {action!r}: should be an array of shape {shape} "
+                f"action: {shown(action)}: should be an array of shape {shape} "
                 "of finite numbers in [-1, 1]"
             )
         cut: NDArray[np.float64] = np.clip(given, -1.0, 1.0)

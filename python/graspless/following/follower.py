@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
-from ..errors import TaskError, explain
+from ..errors import TaskError, explain, shown
 from ..plan_files import as_motion, as_plan
 from .clock import Clock
 from .course import limits_of
@@ -81,7 +81,7 @@ class Follower(Pursuit):
             raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")
         chosen = Settings() if settings is None else settings
         if not isinstance(chosen, Settings):
-            raise TaskError(f"settings: {chosen!r}: should be following.Settings")
+            raise TaskError(f"settings: {shown(chosen)}: should be following.Settings")
         limits = max_velocity, max_acceleration, max_jerk
         super().__init__(found, chosen, limits_of(problem.robot, *limits, contact_speed))
         self._watch = Watch(problem.robot, self._hand.arm, chosen)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from .._arguments import require_integer, require_within
-from ..errors import TaskError
+from ..errors import TaskError, shown
 from .estimate import Noise
 
 if TYPE_CHECKING:
@@ -133,7 +133,7 @@ class Settings:
 
     def __post_init__(self) -> None:
         if not isinstance(self.noise, Noise):
-            raise TaskError(f"noise: {self.noise!r}: should be a following.Noise")
+            raise TaskError(f"noise: {shown(self.noise)}: should be a following.Noise")
         for name in _COUNTS:
             require_integer(name, getattr(self, name), least=0)
         for name, (least, most) in _RANGES.items():

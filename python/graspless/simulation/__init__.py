@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from .._arguments import require_integer
-from ..errors import TaskError, install_command, missing, should_be
+from .._arguments import require_choice, require_integer
+from ..errors import TaskError, install_command, missing
 from ..kinds import part
 from ..plan_files import as_motion
 from .results import Recording, Simulation, Trial
@@ -121,8 +121,7 @@ def _drawn(kind: Any, plan: Plan, trials: int, seed: int, condition: str | None)
     known = getattr(kind, "CONDITIONS", None)
     if known is None:
         raise TaskError(f"condition: {plan.kind} plans have none (slide plans have)")
-    if condition not in known:
-        raise TaskError(f"condition: {condition}: {should_be(condition, known)}")
+    require_choice("condition", condition, known)
     randoms = (np.random.default_rng([seed, trial]) for trial in range(1, trials + 1))
     return [kind.draw(condition, plan, random) for random in randoms]
 

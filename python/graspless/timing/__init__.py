@@ -6,6 +6,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
+from .._arguments import require_type
+from .._core.robot import Robot
 from ..errors import TaskError, missing
 from ..kinds import part
 from ..plan_files import as_motion
@@ -15,7 +17,6 @@ from .trajectory import Trajectory, require_sayable
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from .._core.robot import Robot
     from .._plan import Plan
     from .settings import PerJoint, Settings
 
@@ -113,8 +114,7 @@ def time(
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:
-    if not hasattr(robot, "joint_names"):
-        raise TaskError(f"robot: {robot}: should be a graspless.robot.Robot")
+    require_type("robot", robot, Robot)
     needed = [] if own is None else list(own.joint_names)
     if list(robot.joint_names) != needed:
         has, wants = ", ".join(robot.joint_names), ", ".join(needed) or "none"

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .._arguments import require_number
 from .._xml import parse
-from ..errors import TaskError
+from ..errors import TaskError, shown
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -97,7 +98,8 @@ def joint_limits(
         }
         for name, given in every.items():
             if given is not None:
-                raise TaskError(f"{name}: {given}: this plan moves no joints: should be left out")
+                what = "this plan moves no joints: should be left out"
+                raise TaskError(f"{name}: {shown(given)}: {what}")
         return np.zeros(0), np.zeros(0), np.zeros(0)
     _require_velocities(robot, max_velocity)
     slides = _slides(robot)
@@ -116,8 +118,7 @@ def require_positive(name: str, value: float, other: str = "") -> float:
 
     The message names what `other` than a number it may be.
     """
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
-        raise TaskError(f"{name}: {value!r}: should be a number{other}")
+    require_number(name, value, other)
     if not math.isfinite(value) or value <= 0:
         raise TaskError(f"{name}: {value}: should be positive and finite")
     return float(value)
@@ -129,7 +130,7 @@ def _per_joint(name: str, given: PerJoint | None, robot: Robot, default: Matrix 
     if isinstance(given, Mapping):
         for joint, value in given.items():
             if not isinstance(joint, str):
-                raise TaskError(f"{name}: {joint!r}: should be the name of a joint")
+                raise TaskError(f"{name}: {shown(joint)}: should be the name of a joint")
             try:
                 index = robot.joint(joint)
             except ValueError as error:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
-from ..errors import TaskError
+from ..errors import TaskError, shown
 from ..kinds import stages_of
 from .rates import Rate
 from .settings import LONGEST, require_positive
@@ -105,7 +105,7 @@ class Trajectory:
         """
         robot = robot_of(self.plan)
         if not self.joint_names or robot is None:
-            raise TaskError(f"group: {group}: the plan moves no joints")
+            raise TaskError(f"group: {shown(group)}: the plan moves no joints")
         try:
             columns = [self.joint_names.index(robot.joint_names[j]) for j in robot.group(group)]
         except ValueError as error:
@@ -128,9 +128,12 @@ class Trajectory:
 
         Raises TaskError unless there is at least one, and all are finite.
         """
-        asked = np.atleast_1d(np.asarray(times, dtype=float))
+        try:
+            asked = np.atleast_1d(np.asarray(times, dtype=float))
+        except (TypeError, ValueError, OverflowError):
+            asked = np.empty(0)
         if asked.ndim > 1 or not asked.size or not np.isfinite(asked).all():
-            raise TaskError(f"times: {asked}: should be one or more finite numbers")
+            raise TaskError(f"times: {shown(times)}: should be one or more finite numbers")
         last = len(self.times) - 1
         after = np.searchsorted(self.times, asked).clip(min(1, last), last)
         before = np.maximum(after - 1, 0)
