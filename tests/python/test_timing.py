@@ -386,6 +386,13 @@ def test_object_follows_its_rows():
     assert sum(still) == len(still) - 1
 
 
+@pytest.mark.parametrize("name", ["slide", "regrasp", "carried", "lifted", "twice"])
+def test_an_execution_without_pauses_is_the_trajectory(name):
+    trajectory = timed(name)
+    poses = trajectory.followed(trajectory.names, trajectory.times)
+    np.testing.assert_allclose(poses, trajectory.object_poses, atol=1e-9)
+
+
 @pytest.mark.parametrize("name", ["lifted", "twice"])
 def test_a_chain_is_its_stages_one_after_the_other(name):
     plan, whole = planned(name), timed(name)

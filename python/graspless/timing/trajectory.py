@@ -173,12 +173,20 @@ class Trajectory:
         -------
         array [N, 4, 4]
             While a segment is executed: the pose of that segment at the elapsed time. Under any
-            other name: the last pose of the segment before.
+            other name: the last pose of the segment before. Where several segments have one name,
+            they are told apart by their order.
         """
         now, of = np.asarray(times, dtype=float), np.array(names)
         found = np.repeat(self.object_poses[:1], len(now), axis=0)
-        for k, segment in enumerate(self.segments):
-            rows, own = np.flatnonzero(of == segment.name), np.flatnonzero(self.segment_index == k)
+        planned = [str(segment.name) for segment in self.segments]
+        executed = np.flatnonzero(np.isin(of, planned))
+        turns = np.split(executed, np.flatnonzero(of[executed[1:]] != of[executed[:-1]]) + 1)
+        for k, name in enumerate(planned):
+            rows, own = np.flatnonzero(of == name), np.flatnonzero(self.segment_index == k)
+            if planned.count(name) > 1:  # the first segment of this name has its first turn
+                mine = [turn for turn in turns if (of[turn] == name).any()]
+                turn = planned[:k].count(name)
+                rows = mine[turn] if turn < len(mine) else rows[:0]
             if len(rows) and len(own):
                 start, end = self.times[own[[0, -1]]]
                 elapsed = np.minimum(now[rows] - now[rows[0]], end - start)
