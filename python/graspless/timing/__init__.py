@@ -73,8 +73,8 @@ def time(
         Speed limit of parts in contact or about to be [m/s]: the sliding fingertip while it
         presses, slides and lifts; the hand on its approach to a grasp and while it carries; every
         point of closing fingers; the object of fingertip plans. Parts that press, lift or close
-        are free until 15 mm before the contact. Default: 0.05, for fingertip
-        plans 0.02.
+        are free until 15 mm before the contact. Default: 0.05; for fingertip plans 0.02, for a
+        held object on its way to a place 0.2.
     rate : float, optional
         Samples of the trajectory per second [1/s]. Default: 100.
     pause : float, optional

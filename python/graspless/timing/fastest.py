@@ -42,7 +42,7 @@ LITTLE = 0.025  # relative excess that is refined only while that helps
 HELPED = 0.7  # most of an excess that a refinement that helps leaves
 
 
-@np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion.made
+@np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion._made
 def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
     """Returns a fast motion along `path` whose limits hold at every moment.
 

@@ -66,7 +66,7 @@ def ramps(path: Path, zones: Sequence[Zone], speed: float = 0.0) -> Ramps:
 
 
 class Ramped:
-    """Motion through points as that of `clip`, but found quickly, and known at any time.
+    """Motion through points like that of `clip`, found quickly by `ramps`, to be asked at any time.
 
     Parameters
     ----------

@@ -86,7 +86,7 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
 
 
 def targets(trajectory: Trajectory, travel: float) -> Matrix:
-    """[N, dof] targets of servos: positions, with the squeeze from contact until the hand opens.
+    """Returns targets of servos [N, dof]: positions, with the squeeze until the hand opens.
 
     Parameters
     ----------
@@ -117,9 +117,9 @@ def _smooth(t: Matrix, seconds: float) -> tuple[Matrix, Matrix, Matrix]:
 
 
 def _left(trajectory: Trajectory) -> Matrix:
-    """[3, N] part of the squeeze that is left at each sample, and its derivatives by time.
+    """Returns the share of the squeeze at each sample and its first two derivatives by time [3, N].
 
-    It goes while the hand opens.
+    It is 1 until the hand opens, and falls to 0 while it does.
     """
     left = np.stack([np.ones(len(trajectory.times)), *2 * [np.zeros(len(trajectory.times))]])
     opens = np.flatnonzero(np.array(trajectory.names) == "open")

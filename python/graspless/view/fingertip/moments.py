@@ -102,16 +102,16 @@ def moments(plan: Plan) -> list[Moment]:
         first, last = k == 0, k == len(moving) - 1
         same = k > 0 and _same_grip(moving[k - 1], segment)
         if not same:
-            caption = "start" if first else f"after regrasp{_progress(plan, i, 0)}"
+            caption = "start" if first else f"after regrasp{_reached(plan, i, 0)}"
             found.append(replace(at(plan, segment, 0, segment.X_WO[0]), caption=caption))
         if len(moving) == 1 or len(segment) > LONG * sum(map(len, moving)):
             middle = len(segment) // 2
-            caption = f"{segment.name}{_progress(plan, i, middle)}"
+            caption = f"{segment.name}{_reached(plan, i, middle)}"
             found.append(replace(at(plan, segment, middle), caption=caption))
         next_same = not last and _same_grip(segment, moving[k + 1])
         if last or not next_same or segment.name != moving[k + 1].name:
             what = f"after the {segment.name}" if next_same else "before regrasp"
-            caption = "goal" if last else what + _progress(plan, i, len(segment))
+            caption = "goal" if last else what + _reached(plan, i, len(segment))
             row = len(segment) - 1
             found.append(replace(at(plan, segment, row, segment.X_WO[-1]), caption=caption))
     if len(found) > MOST:
@@ -121,7 +121,7 @@ def moments(plan: Plan) -> list[Moment]:
 
 
 def progress(segments: Sequence[Segment]) -> list[Matrix]:
-    """For each segment, how far along the way its rows are: poses of the lattice passed."""
+    """Returns the progress of each segment's rows [N]: the number of lattice poses passed."""
     passed = 0.0
     found: list[Matrix] = []
     for segment in segments:
@@ -148,8 +148,8 @@ def _same_grip(before: Segment, after: Segment) -> bool:
     return bool(np.allclose(before.fingers[-1], after.fingers[0], atol=1e-9, equal_nan=True))
 
 
-def _progress(plan: Plan, k: int, row: int) -> str:
-    """Returns " at 36 deg" or the like for a row of segment k: the progress of the motion."""
+def _reached(plan: Plan, k: int, row: int) -> str:
+    """Returns the progress of the motion at a row of segment k: ", 36°", ", 5 cm", or nothing."""
     segments = plan.segments
     segment = segments[k]
     each, unit = measure(segments)

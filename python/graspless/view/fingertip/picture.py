@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ... import frames
-from ...report import the
+from ...report import count, the
 from .. import raster
 from ..bodies import obstacles
 from ..figures import INK, draw_panel, failure, new_figure
@@ -168,9 +168,7 @@ def headline(plan: Plan) -> str:
     name = the(plan.task.problem.object.name)
     names = dict.fromkeys(s.name for s in plan.segments if s.name != "regrasp")
     verbs = [f"{word[:-1]}ing" if word.endswith("e") else f"{word}ing" for word in names]
-    fingers = plan.task.problem.fingers.count
-    tips = f"{fingers} fingertip{'s' if fingers > 1 else ''}"
-    changes = plan.regrasps
-    grips = "" if not changes else f", {changes} regrasp{'s' if changes > 1 else ''}"
+    tips = count(plan.task.problem.fingers.count, "fingertips")
+    grips = f", {count(plan.regrasps, 'regrasps')}" if plan.regrasps else ""
     moves = " and ".join(verbs).capitalize()
     return f"{moves} {name} with {tips}{grips}"
