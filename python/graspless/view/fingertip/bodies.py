@@ -25,6 +25,7 @@ ARROW: Color = (0.16, 0.74, 0.45)
 MODES = {"position": POSITION, "force": FORCE, "free": FREE}
 CONTACT: Color = (0.10, 0.10, 0.12)
 LONGEST_ARROW = 0.7  # of the object's size
+HEAD_LENGTH, HEAD_RADIUS = 4.5, 2.2  # of the radius of an arrow's shaft
 SHARP = 0.3  # an edge between faces that turn more [rad]
 TOUCHING = 0.004  # of the size: corners that are no farther from a plane
 
@@ -77,14 +78,19 @@ def fingertip_body(radius: float, color: Color) -> Body:
 
 def arrows(task: Task, moment: Moment, largest: float) -> list[tuple[Body, Matrix]]:
     """Returns arrows of the nominal forces, ending at the fingertips, with poses in the world."""
-    size, radius = task.problem.object.size, task.problem.fingers.radius
+    size = task.problem.object.size
     found = []
     for tail, tip in arrow_ends(task, moment, largest):
         length = float(np.linalg.norm(tip - tail))
         if length > 1e-6 * size:
-            body = Body("force", [_arrow(length, min(0.018 * size, 0.4 * radius))])
+            body = Body("force", [_arrow(length, arrow_width(task))])
             found.append((body, _along(tail, tip)))
     return found
+
+
+def arrow_width(task: Task) -> float:
+    """Returns the radius of an arrow's shaft [m]."""
+    return float(min(0.018 * task.problem.object.size, 0.4 * task.problem.fingers.radius))
 
 
 def arrow_ends(task: Task, moment: Moment, largest: float) -> Matrix:
@@ -173,10 +179,10 @@ def _arrow(length: float, width: float) -> Part:
     """Returns an arrow from the origin along z."""
     import trimesh
 
-    head = min(4.5 * width, 0.6 * length)
+    head = min(HEAD_LENGTH * width, 0.6 * length)
     shaft = trimesh.creation.cylinder(width, length - head, sections=20)
     shaft.apply_translation([0, 0, (length - head) / 2])
-    cone = trimesh.creation.cone(2.2 * width, head, sections=24)
+    cone = trimesh.creation.cone(HEAD_RADIUS * width, head, sections=24)
     cone.apply_translation([0, 0, length - head])
     whole: Any = trimesh.util.concatenate([shaft, cone])
     return Part(np.asarray(whole.vertices), np.asarray(whole.faces), ARROW)

@@ -120,6 +120,11 @@ def moments(plan: Plan) -> list[Moment]:
     return found
 
 
+def largest_force(shown: Sequence[Moment]) -> float:
+    """Returns the largest nominal force of some moments [N], above 0."""
+    return max([1e-9, *(float(np.linalg.norm(m.forces, axis=1).max(initial=0.0)) for m in shown)])
+
+
 def progress(segments: Sequence[Segment]) -> list[Matrix]:
     """Returns the progress of each segment's rows [N]: the number of lattice poses passed."""
     passed = 0.0

@@ -15,7 +15,7 @@ from .. import raster
 from ..bodies import obstacles
 from ..figures import INK, draw_panel, failure, new_figure
 from . import bodies, carried, curves
-from .moments import moments
+from .moments import largest_force, moments
 from .stage import camera, swept
 
 if TYPE_CHECKING:
@@ -87,8 +87,7 @@ class _Scene:
 
     def __init__(self, task: Task, shown: Sequence[Moment], shape: tuple[int, int]) -> None:
         self.task, self.shape = task, shape
-        forces = [np.linalg.norm(moment.forces, axis=1).max(initial=0.0) for moment in shown]
-        self.largest = max([*forces, 1e-9])
+        self.largest = largest_force(shown)
         points = swept(task, shown)
         tails = [bodies.arrow_ends(task, moment, self.largest) for moment in shown]
         tails_W = np.concatenate([ends.reshape(-1, 3) for ends in tails])

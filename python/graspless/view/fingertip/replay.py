@@ -15,6 +15,7 @@ from ..replay import RATE
 from ..scene import Captions, Layers, add_segments, look, move, shade
 from . import bodies
 from .film import recorded, timed
+from .moments import largest_force
 from .stage import camera, swept
 
 if TYPE_CHECKING:
@@ -45,8 +46,7 @@ class Stage:
         self.fingers: list[tuple[Any, dict[str, Any]]] = []
         self.links: list[tuple[int, Any]] = []
         self.poses: Matrix = np.empty((0, 4, 4))
-        forces = [np.linalg.norm(m.forces, axis=1).max(initial=0.0) for m in self.shown]
-        self.largest = max([*forces, 1e-9])
+        self.largest = largest_force(self.shown)
         self.layers = Layers(server.scene)
         some = self.shown[:: max(1, self.rows // MOMENTS)]
         points = swept(self.task, some)
@@ -153,17 +153,18 @@ class Stage:
                 self.layers.explain(bodies.MODES[mode], meaning)
         if self.largest > 1e-6:
             self.layers.explain(bodies.ARROW, "nominal contact force")
-            self._add_forces(count, min(0.018 * self.task.problem.object.size, 0.4 * radius))
+            self._add_forces(count)
 
-    def _add_forces(self, count: int, width: float) -> None:
+    def _add_forces(self, count: int) -> None:
+        width = bodies.arrow_width(self.task)
         self.layers.add("forces")
         self.arrows = self.layers.scene.add_arrows(
             "/forces/arrows",
             np.zeros((count, 2, 3), dtype=np.float32),
             shade(bodies.ARROW),
             shaft_radius=width,
-            head_radius=2.2 * width,
-            head_length=4.5 * width,
+            head_radius=bodies.HEAD_RADIUS * width,
+            head_length=bodies.HEAD_LENGTH * width,
         )
 
     def _show_fingers(self, moment: Moment, last: Moment, before: int) -> None:
