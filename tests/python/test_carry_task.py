@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tasks of carrying: written and read again, and the faults of their files."""
 
+import contextlib
 import pickle
+import re
+import warnings
 
 import pytest
 
@@ -89,3 +92,24 @@ def test_a_fault_names_its_field(old, new, line, what):
     assert GOOD.count(old) == 1
     with pytest.raises(TaskError, match=rf"^task.yaml:{line}: {what}"):
         read_task(GOOD.replace(old, new), "task.yaml")
+
+
+@pytest.mark.parametrize(
+    ("new", "what"),
+    [
+        ("goal: {rpy: [0, 0, 90]}", r"goal.rpy\[2\]: 90: is more than a turn; angles are in rad"),
+        ("hanging: {rpy: [90, 0, 0]}\noffset: [0, 0, 0.1]", r"hanging.rpy\[0\]: 90: is more than"),
+        ("line: {direction: [0, 0, 1], distance: 200}", r"line.distance: 200: is more than 100 m;"),
+        (
+            "place: {poses: [{}, {rpy: [0, 0, 90]}, {rpy: [0, 0, 90]}]}",
+            r"place.poses\[1\].rpy\[2\]: 90: is more than",
+        ),
+    ],
+)
+def test_degrees_and_millimetres_are_warned_of_once(new, what):
+    with warnings.catch_warnings(record=True) as caught, contextlib.suppress(TaskError):
+        warnings.simplefilter("always")
+        read_task(GOOD.replace("offset: [0, 0, 0.1]", new), "task.yaml")
+    texts = [str(one.message) for one in caught if "are in" in str(one.message)]
+    assert len(texts) == 1
+    assert re.search(what, texts[0])

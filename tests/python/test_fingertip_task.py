@@ -269,6 +269,12 @@ def test_mesh_in_millimetres_and_its_density(write, tmp_path):
     [
         ((SLIDE, "turn: {angle: 7}"), r":9: motion.turn.angle: 7: .*more than a turn; .*radians"),
         (("radius: 0.01", "radius: 10"), r"fingers.radius: 10.*lengths are in metres"),
+        ((SLIDE, "slide: {pose: {rpy: [0, 0, 90]}, translation: [0.1, 0, 0]}"), r"slide.pose.rpy"),
+        ((SLIDE, "sequence: [{slide: {translation: [200, 0, 0]}}]"), r"translation\[0\]: 200: is"),
+        (
+            (SLIDE, "lattice: {goal: {}, lower: [0, 0, 0], upper: [0.1, 0.1, 90]}"),
+            r"lattice.upper\[2\]: 90: is more than a turn",
+        ),
     ],
 )
 def test_degrees_and_millimetres_are_warned_of(write, change, what):

@@ -206,6 +206,27 @@ def test_mistakes_are_named(scene, names, place, words):
         graspless.pick(scene, names["bar"], "wam_t42", place=place)
 
 
+@pytest.mark.parametrize(
+    ("field", "what"),
+    [("yaw", "yaw: 90: is more than a turn; angles"), ("x", "x: 500: is more than 100 m; lengths")],
+)
+def test_degrees_and_millimetres_are_warned_of(scene, names, tmp_path, capsys, field, what):
+    text = str({"x": 0.5, "y": 0.2, "yaw": 0.0} | {field: {"yaw": 90, "x": 500}[field]})
+    perception.save_scene(scene, tmp_path / "scene.yaml")
+    task = tmp_path / "pick.yaml"
+    task.write_text(
+        f"kind: pick\nscene: scene.yaml\nname: {names['card']}\nrobot: {{urdf: wam_t42}}\n"
+        f"strategies: [pinch]\nplace: {{pose: {text}}}\n"
+    )
+    main(["pick", str(task), "--seconds", "0.1"])
+    said = capsys.readouterr().err
+    assert said.count(what) == 1
+    assert f"pick.yaml:6: place.pose.{what}" in said
+    scene_file, robot = str(tmp_path / "scene.yaml"), ["--robot", "wam_t42", "--seconds", "0.1"]
+    main(["pick", scene_file, names["card"], *robot, "--place", f"pose: {text}"])
+    assert f"place: pose.{what}" in capsys.readouterr().err
+
+
 def test_the_same_seed_gives_the_same_plan(scene, names, placed):
     place = {"pose": {"x": 0.5, "y": 0.0, "yaw": 1.2}}
     again = graspless.pick(scene, names["bar"], "wam_t42", place=place)

@@ -72,7 +72,7 @@ def _join(options: argparse.Namespace) -> int:
     from pydantic import create_model
 
     from .. import files
-    from ..tasks import robots, source
+    from ..tasks import robots, source, units
     from ..tasks.robot_files import find_urdf, resolve_robot
 
     to_stdout = options.output == "-"
@@ -85,6 +85,7 @@ def _join(options: argparse.Namespace) -> int:
         files.check_writable(srdf)
     given = source.Source("robot join", {"robot": _fields(options)}, is_trusted=options.trust)
     asked = given.validate(create_model("Asked", robot=(robots.Robot, ...)))
+    units.warn_of_units(asked, given)
     resolved, _ = resolve_robot(asked.robot, given, Path())
     built = robots.build_robot(resolved, given)
     if options.package:

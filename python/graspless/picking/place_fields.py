@@ -14,6 +14,7 @@ from ..errors import TaskError, told
 from ..tasks.documents import in_plain_types
 from ..tasks.shapes import Fields, Points2, Rectangle
 from ..tasks.source import Source
+from ..tasks.units import warn_of_units
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -68,8 +69,12 @@ class Place(Fields):
 
 def place_of(given: Any) -> Place:
     """Returns a place from what a caller gave. Raises TaskError that names field and value."""
+    if isinstance(given, Place):  # of a task file
+        return given
     if not isinstance(given, Mapping):
         raise TaskError(f"place: {given!r}: should have one of the fields pose, region and on")
     with told("place"):
-        fields: Place = Source("place", in_plain_types(given)).validate(Place)
+        source = Source("place", in_plain_types(given))
+        fields: Place = source.validate(Place)
+        warn_of_units(fields, source)
     return fields

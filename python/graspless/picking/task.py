@@ -16,6 +16,7 @@ from ..tasks.reading import read_yaml
 from ..tasks.scenes import RESPECT, Respect
 from ..tasks.shapes import Fields, Positive
 from ..tasks.source import Source
+from ..tasks.units import warn_of_units
 from .place_fields import Place
 from .strategies import STRATEGIES
 
@@ -70,10 +71,9 @@ def read_pick(path: str) -> dict[str, Any] | None:
         return None
     fields: PickTask = source.validate(PickTask)
     directory = Path(path).resolve().parent
-    given = fields.model_dump(exclude={"kind", "budget", "robots"})
+    warn_of_units(fields, source)
+    given = fields.model_dump(exclude={"kind", "budget", "robots"}) | {"place": fields.place}
     given["scene"] = str(directory / fields.scene)
-    if fields.place is not None:
-        given["place"] = fields.place.model_dump(exclude_none=True)
     given["robot"] = absolute(fields.robots or fields.robot, directory)
     budget = fields.budget.model_dump(exclude_none=True)
     for name in budget.keys() - BUDGET:

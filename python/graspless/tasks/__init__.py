@@ -22,6 +22,7 @@ from .kind import problem_kind, task_kind
 from .meshes import check_files
 from .reading import parse_yaml
 from .source import Source
+from .units import warn_of_units
 
 if TYPE_CHECKING:
     from .kind import TaskKind
@@ -246,6 +247,7 @@ def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool 
         source = replace(parse_yaml(text, file), is_trusted=trust)
         kind = task_kind(source)
         named = source.validate(kind.Fields)
+        warn_of_units(named, source)
         fields, other = kind.resolve(named, source, Path(directory).resolve())
         return build_task(fields, source, other)
 
@@ -271,6 +273,7 @@ def task_from_dict(document: Any, file: str, resolve: bool = False, *, fields: A
         kind = task_kind(source)
         fields = source.validate(kind.Fields) if fields is None else fields
         if resolve and not fields.files:
+            warn_of_units(fields, source)
             fields, other = kind.resolve(fields, source, Path.cwd())
             return build_task(fields, source, other)
         kind.require_resolved(fields, source)

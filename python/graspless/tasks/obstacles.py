@@ -13,7 +13,6 @@ from pydantic import AfterValidator
 from .. import collision, geometry
 from .shapes import MeshFile, Obstacle, Shape, given_twice, pose_matrix, regular_polygon
 from .source import Source, at
-from .units import warn_of_pose
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,8 +38,6 @@ def resolve_obstacles(
     obstacles: Sequence[Obstacle], source: Source, directory: Path
 ) -> list[Obstacle]:
     """Returns the obstacles with absolute paths of their meshes."""
-    for i, obstacle in enumerate(obstacles):
-        warn_of_pose(obstacle.pose, ("obstacles", i, "pose"), source)
     return [_resolved(obstacle, source, i, directory) for i, obstacle in enumerate(obstacles)]
 
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,14 +16,16 @@ from .._xml import parse
 from ..errors import one_of
 from ..files import absence
 from ..limits import uncounted
+from . import units
 from .meshes import FOREIGN, prepare_meshes
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
 from .shapes import pose_matrix
 from .source import Source, at
-from .units import FARTHEST, warn_of_pose
 
 if TYPE_CHECKING:
     from .source import Location
+
+FARTHEST = 2.0  # of a gripper from the link that carries it [m]
 
 
 def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot, Path | None]:
@@ -31,7 +34,6 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
     With a gripper it is the path of the gripper's URDF; None if links of it were renamed or left
     out, because the files beside it have the old names.
     """
-    warn_of_pose(robot.pose, ("robot", "pose"), source)
     if robot.urdf_text is not None:
         with at(source, "robot", "urdf_text"):
             robot_meshes(robot)
@@ -66,7 +68,10 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
 def _with_gripper(
     arm: robots.Description, gripper: Gripper, source: Source, directory: Path
 ) -> tuple[robots.Description, Path | None]:
-    warn_of_pose(gripper.pose, ("robot", "gripper", "pose"), source, FARTHEST)
+    away = math.hypot(*gripper.pose.position)
+    if FARTHEST < away <= units.FARTHEST:  # what is farther was warned of
+        what = f"is {away:.4g} m away; lengths are in metres"
+        source.warn(("robot", "gripper", "pose", "position"), what)
     field = "file" if gripper.file is not None else "name"
     description, path = _read(gripper, field, ("robot", "gripper", field), source, directory)
     with at(source, "robot", "gripper"):

@@ -4,10 +4,13 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pydantic import BaseModel
 
 from .source import LARGEST
 
@@ -15,33 +18,61 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from .._core.robot import Robot
-    from .shapes import Pose
     from .source import Location, Source
 
 WIDEST = 1e6  # of an angle: rounding takes the meaning of larger ones [rad]
 LARGEST_TURN = 20.0  # of a joint: limits of real ones are a few turns [rad]
-FARTHEST = 2.0  # of a gripper from the link that carries it [m]
+FARTHEST, REFUSED = 100.0, 1e4  # largest coordinate that nobody doubts, and of the core [m]
+_UNITS = re.compile(r"\[((?:m|rad)(?:, (?:m|rad))*)\]")
+_BOUNDED = ("size", "radius", "box", "angle")  # the kinds of tasks have bounds of their own
 
 
-def warn_of_pose(
-    pose: Pose | None, location: Location, source: Source, farthest: float = math.inf
-) -> None:
-    """Warns of angles that look like degrees, and of a position farther away than `farthest`."""
-    if pose is None:
-        return
-    for i, angle in enumerate(pose.rpy or []):
-        warn_of_angle(angle, (*location, "rpy", i), source)
-    away = math.hypot(*pose.position)
-    if away > farthest:
-        source.warn((*location, "position"), f"is {away:.4g} m away; lengths are in metres")
+def warn_of_units(fields: BaseModel, source: Source, place: Location = ()) -> bool:
+    """Warns of angles that look like degrees, and of coordinates that look like millimetres.
+
+    The descriptions of the fields have their units. Of a list, the first such item is named.
+    Returns True if there was one. Raises TaskError if an angle means nothing.
+    """
+    has_warned = False
+    for name, info in type(fields).model_fields.items():
+        value, inner = getattr(fields, name), (*place, name)
+        if isinstance(value, BaseModel):
+            has_warned |= warn_of_units(value, source, inner)
+        elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
+            has_warned |= any(warn_of_units(v, source, (*inner, i)) for i, v in enumerate(value))
+        elif name not in _BOUNDED and (units := _UNITS.search(info.description or "")):
+            has_warned |= _warn_of_value(value, units[1].split(", "), inner, source)
+    return has_warned
 
 
-def warn_of_angle(angle: float, location: Location, source: Source) -> None:
-    """Warns of an angle that looks like degrees; raises TaskError if it means nothing."""
+def _warn_of_value(value: Any, units: list[str], place: Location, source: Source) -> bool:
+    """Warns of a number, or of the first such number in a list, which has one unit or several."""
+    if isinstance(value, list):
+        if value and isinstance(value[0], list):  # of points, the kinds look at the extent
+            return False
+        each = enumerate(zip(value, itertools.cycle(units), strict=False))
+        return any(_warn_of_value(v, [unit], (*place, i), source) for i, (v, unit) in each)
+    if not isinstance(value, float):
+        return False
+    if units == ["rad"]:
+        return warn_of_angle(value, place, source)
+    is_far = FARTHEST < abs(value) <= REFUSED
+    if is_far:
+        source.warn(place, f"is more than {FARTHEST:g} m; lengths are in metres")
+    return is_far
+
+
+def warn_of_angle(angle: float, location: Location, source: Source) -> bool:
+    """Warns of an angle that looks like degrees. Returns True if it does.
+
+    Raises TaskError if it means nothing.
+    """
     if abs(angle) > WIDEST:
         raise source.error(location, f"should lie in [-{WIDEST:g}, {WIDEST:g}] rad")
-    if abs(angle) > 2 * math.pi:
+    is_wide = abs(angle) > 2 * math.pi
+    if is_wide:
         source.warn(location, "is more than a turn; angles are in radians")
+    return is_wide
 
 
 def require_limits(robot: Robot, place: Callable[[str], Location], source: Source) -> None:

@@ -16,6 +16,7 @@ from ...errors import TaskError, suggestion
 from ...kinds import KINDS, part
 from ..reading import read_yaml
 from ..source import Source
+from ..units import warn_of_units
 from .joints import require_held
 from .model import SHARED, ChainTask
 from .stage import Stage, StageSource
@@ -153,5 +154,7 @@ def _resolved(stage: StageSource, index: int, directory: Path) -> Stage:
     kind = part("tasks", _kind(stage))
     if index > 0:
         hold_place(stage)
-    fields, other = kind.resolve(stage.validate(kind.Fields), stage, directory)
+    named = stage.validate(kind.Fields)
+    warn_of_units(named, stage)
+    fields, other = kind.resolve(named, stage, directory)
     return Stage(stage.name, fields, stage, other)

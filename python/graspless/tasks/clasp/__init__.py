@@ -19,7 +19,6 @@ from ..robot_files import resolve_robot
 from ..robots import require_text, robot_meshes
 from ..shapes import Pose
 from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
-from ..units import warn_of_pose
 from .build import build as build_problem
 from .build import build_options
 from .cloud import resolve_object
@@ -40,7 +39,6 @@ def resolve(named: ClaspTask, source: Source, directory: Path) -> tuple[ClaspTas
     """Returns the fields with the content of robot, hand and points, and absolute paths of
     meshes; and the source of the hand's fields.
     """
-    warn_of_pose(named.object.pose, ("object", "pose"), source)
     named = _with_scene(named, source, directory)
     robot, urdf = resolve_robot(named.robot, source, directory)
     given, hand_source = resolve_hand(named.hand, urdf, source, directory)

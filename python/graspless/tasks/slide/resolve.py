@@ -23,7 +23,7 @@ from ..shapes import pose_matrix
 from ..source import Source
 from ..statement import pose_fields
 from . import model
-from .units import LARGEST, warn_of_units
+from .units import LARGEST, warn_of_sizes
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -49,7 +49,7 @@ def resolve(task: TaskT, source: Source, directory: Path) -> tuple[TaskT, Source
     tuple
         The task, and the source of its hand's fields.
     """
-    warn_of_units(task, source)
+    warn_of_sizes(task, source)
     task = _with_scene(task, source, directory)
     robot, urdf = resolve_robot(task.robot, source, directory)
     given, hand_source = _resolve_hand(task.hand, urdf, source, directory)

@@ -1,12 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers that look like millimetres or degrees."""
+"""Sizes that look like millimetres."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
-
-from ..units import warn_of_angle, warn_of_pose
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,8 +16,8 @@ LARGEST = 2.0  # [m]; something wider than this is not slid over a table by one 
 LARGEST_SUPPORT = 5.0  # [m]
 
 
-def warn_of_units(task: model.OnSupport, source: Source) -> None:
-    """Warns of lengths and angles that look like millimetres or degrees."""
+def warn_of_sizes(task: model.OnSupport, source: Source) -> None:
+    """Warns of an object and a support that look like millimetres."""
     for section, shape, largest in (
         ("object", task.object, LARGEST),
         ("support", task.support, LARGEST_SUPPORT),
@@ -28,11 +26,6 @@ def warn_of_units(task: model.OnSupport, source: Source) -> None:
             if max(size) > largest:
                 what = f"is {size[0]:.4g} x {size[1]:.4g} m; lengths are in metres"
                 source.warn((section, field), what)
-    warn_of_pose(task.support.pose, ("support", "pose"), source)
-    end = getattr(task, "end", None)  # of a slide
-    for place, pose in ((("object", "pose"), task.object.pose), (("end",), end)):
-        if pose is not None:
-            warn_of_angle(pose.yaw, (*place, "yaw"), source)
 
 
 def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[float, float]]]:
