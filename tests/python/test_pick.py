@@ -5,6 +5,7 @@
 import json
 import time
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -462,6 +463,23 @@ def test_reasons_and_warnings_name_no_strategy(scene, names, tmp_path, capsys, m
     reasons = {attempt["strategy"]: attempt["reason"] for attempt in result["attempts"]}
     assert reasons["pinch"] == reasons["rim"] == reasons["tumble"]
     assert reasons["pinch"].startswith("robot: no hand for this task was found")
+
+
+@pytest.mark.parametrize(
+    ("looks", "tried", "words"),
+    [
+        (1, 0, "was over when robot and scene had been read; give"),
+        (2, 1, "was over after 'pinch';"),
+    ],
+)
+def test_a_time_limit_that_is_too_short_is_told(scene, names, monkeypatch, looks, tried, words):
+    clock = iter([0.0] * looks)
+    monkeypatch.setattr(picking, "time", SimpleNamespace(monotonic=lambda: next(clock, 9.0)))
+    found = graspless.pick(scene, names["block"], "wam_t42", seconds=5)
+    untried = found.attempts[tried:]
+    assert [attempt.status for attempt in untried] == (6 - tried) * ["not_tried"]
+    assert f"the time limit of 5 s {words}" in untried[0].reason
+    assert {attempt.reason for attempt in untried[1:]} == {"no time was left"}
 
 
 ROBOT = ("--robot", "wam_t42")

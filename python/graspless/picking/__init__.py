@@ -184,6 +184,17 @@ def _search(
             break
     if plans:
         found.plan, found.robot = min(plans, key=lambda one: duration(one[0]))
+    else:
+        _note_time(found.attempts, budget.seconds)
+
+
+def _note_time(attempts: Sequence[Attempt], seconds: float) -> None:
+    """Notes that the time was over before strategies that were not tried, the first in full."""
+    tried = [a.strategy for a in attempts if a.status != NOT_TRIED]
+    last = f"after '{tried[-1]}'" if tried else "when robot and scene had been read"
+    reason = f"the time limit of {seconds:g} s was over {last}; give more seconds"
+    for attempt in attempts[len(tried) :]:
+        attempt.reason, reason = reason, "no time was left"
 
 
 def _waiting(attempts: Sequence[Attempt], i: int) -> int:

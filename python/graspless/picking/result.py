@@ -25,11 +25,12 @@ class Attempt:
         pinch, rim, slide, clasp, tumble or push; scene or place if this rules out all of them.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
-        strategy was found before; faulty: its plan does not pass `check`; stale: the scene is too
-        old; not_found: no tumble or push leads to a grasp; otherwise the status of its plan.
+        strategy was found before, or no time was left; faulty: its plan does not pass `check`;
+        stale: the scene is too old; not_found: no tumble or push leads to a grasp; otherwise the
+        status of its plan.
     reason : str
-        One sentence; empty if it was not tried. Of those that were solved, a clasp has a warning,
-        and a tumble or push says which one it is.
+        One sentence; empty if another strategy was found before. Of those that were solved, a clasp
+        has a warning, and a tumble or push says which one it is.
     robot : str
         Name of the robot that tried it.
     seconds : float
