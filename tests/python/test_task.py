@@ -322,6 +322,8 @@ def test_numbers_as_people_write_them(write):
     [
         ("010", "YAML reads this as 8; write 10, or put text in quotes"),
         ("-0017", "YAML reads this as -15; write -17, or put text in quotes"),
+        ("0_7", "YAML reads this as 7; write 7, or put text in quotes"),
+        ("0_", "YAML reads this as 0; write 0, or put text in quotes"),
         ("1:30", "YAML reads this as 90; write minutes and seconds as one number, or put text in"),
         ("1:30.5", "YAML reads this as 90.5; write minutes"),
     ],

@@ -157,7 +157,7 @@ def _in_decimals(number: str) -> str:
     if ":" in number:
         return "write minutes and seconds as one number"
     octal = re.fullmatch("([-+]?)0+([0-7_]+)", number)
-    return f"write {octal[1]}{octal[2]}" if octal else ""
+    return f"write {octal[1]}{int(octal[2].replace('_', '') or 0)}" if octal else ""
 
 
 def check_yaml(text: str, file: str, loader: Any) -> None:
