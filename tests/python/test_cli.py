@@ -286,7 +286,10 @@ def test_faults_of_stdin_are_named(shell):
     assert shell("graspless plan - </dev/null") == (
         2, "", "stdin:1: should be a mapping of fields, see docs/task-files.md\n"
     )  # fmt: skip
-    assert shell("graspless check - </dev/null")[2] == "stdin:1: not valid JSON: Expecting value\n"
+    assert (
+        shell("graspless check - </dev/null")[2]
+        == "stdin:1: not valid JSON: Expecting value (column 1)\n"
+    )
     assert shell("graspless check - <&-") == (2, "", "stdin: cannot be read\n")
     assert shell("graspless plan - < <(printf '\\xff')")[2] == "stdin: not a text file in UTF-8\n"
 

@@ -229,7 +229,7 @@ def test_no_plan_at_all(tmp_path):
     with pytest.raises(TaskError, match=r"plan.json: cannot be read: No such file"):
         graspless.load_plan(path)
     path.write_text('{"format": 1,\n "kind" "slide"}')
-    with pytest.raises(TaskError, match=r"plan.json:2: not valid JSON"):
+    with pytest.raises(TaskError, match=r"plan.json:2: not valid JSON: .* \(column 9\)"):
         graspless.load_plan(path)
     path.write_bytes(b"\xff\xfe\x00")
     with pytest.raises(TaskError, match=r"plan.json: not a text file in UTF-8"):

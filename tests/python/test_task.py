@@ -159,7 +159,12 @@ FAULTS = [
     ((OUTLINE, "cloud: scan.ply"), 7, r"object.cloud: scan.ply: no such file"),
     ((OUTLINE, "cloud: scan.e57"), 7, r"object.cloud: scan.e57: .*one of: .ply, .pcd, .xyz"),
     (("kind: slide", "kind: slide\nkind: slide"), 2, r"kind: given twice"),
-    (("kind: slide", "kind: [slide"), 2, r"not valid YAML"),
+    (("kind: slide", "kind: [slide"), 2, r"not valid YAML: .* \(column 6\)"),
+    (
+        ("  urdf: wam_t42", "\turdf: wam_t42"),
+        3,
+        r"not valid YAML: a tab .* spaces alone \(column 1\)",
+    ),
 ]
 
 

@@ -120,7 +120,8 @@ def _parsed(text: str, file: str) -> dict[str, Any]:
         if kind := _kind_of_task(text):
             raise _no_plan(file, kind) from None
         if isinstance(error, json.JSONDecodeError):
-            raise TaskError(f"{file}:{error.lineno}: not valid JSON: {error.msg}") from None
+            told = f"not valid JSON: {error.msg} (column {error.colno})"
+            raise TaskError(f"{file}:{error.lineno}: {told}") from None
         raise TaskError(f"{file}: not a plan file: {error}") from None
     if isinstance(data, dict) and "kind" in data and not {"format", "segments"} & set(data):
         raise _no_plan(file, data["kind"])

@@ -51,9 +51,13 @@ def parse_yaml(text: str, file: str) -> Source:
             data = _load(text, file, lines)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
-        line = mark.line + 1 if mark else 1
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise TaskError(f"{file}:{line}: not valid YAML: {problem}") from None
+        if mark is None:
+            raise TaskError(f"{file}:1: not valid YAML: {problem}") from None
+        if text[mark.index : mark.index + 1] == "\t":
+            problem = "a tab where YAML takes spaces alone"
+        told = f"not valid YAML: {problem} (column {mark.column + 1})"
+        raise TaskError(f"{file}:{mark.line + 1}: {told}") from None
     except TaskError:
         raise
     except Exception as error:  # text that libyaml cannot encode
