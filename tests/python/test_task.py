@@ -309,6 +309,11 @@ def test_name_that_yaml_takes_for_a_value(write, name, kind):
     )
 
 
+def test_a_decimal_with_a_comma(write):
+    path = write(changed(POSE, "{x: 0,60, y: 0.10, yaw: 0.3}"))
+    assert fault(path) == "task.yaml:9: object.pose.x: 0,60: decimals have a point"
+
+
 def test_clockwise_polygon_is_accepted(write):
     clockwise = "polygon: [[0.05, 0], [-0.05, -0.04], [-0.05, 0.04]]"
     outline = graspless.load_task(write(changed(CARD, clockwise))).problem.object.outline

@@ -119,8 +119,12 @@ def _note_lines(
                 kind = {"bool": "true or false", "null": "nothing"}.get(
                     key.tag.rpartition(":")[2], "a number"
                 )
-                where = f"{file}:{key.start_mark.line + 1}: {dotted((*place, key.value))}"
-                raise TaskError(f"{where}YAML takes this name for {kind}; put it in quotes")
+                name, what = _with_comma(node, key) or (
+                    key.value,
+                    f"YAML takes this name for {kind}; put it in quotes",
+                )
+                where = f"{file}:{key.start_mark.line + 1}: {dotted((*place, name))}"
+                raise TaskError(f"{where}{what}")
             if key.value in seen:
                 raise TaskError(
                     f"{file}:{key.start_mark.line + 1}: {dotted((*place, key.value))}given twice"
@@ -134,6 +138,16 @@ def _note_lines(
             _note_lines(value, (*place, i), lines, file, above, loader)
     else:
         _require_value(node, place, file, loader)
+
+
+def _with_comma(node: Any, key: Any) -> tuple[str, str] | None:
+    """Returns the field and what is wrong if a name is the end of a decimal, as in {mass: 0,12}."""
+    for name, value in node.value:
+        number = f"{value.value},{key.value}"
+        is_before = value.end_mark.index + 1 == key.start_mark.index
+        if is_before and re.fullmatch(r"[-+]?\d+,\d+", number):
+            return name.value, f"{number}: decimals have a point"
+    return None
 
 
 def _require_value(node: Any, place: Location, file: str, loader: Any) -> None:
