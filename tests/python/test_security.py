@@ -293,7 +293,7 @@ def test_meshes_of_all_namespaces_have_checksums():
             "directory": "/b",
         }
     )
-    assert found == {pathlib.Path("/a.stl")}
+    assert found == {pathlib.Path("/a.stl"): ("urdf_text",)}
 
 
 def test_viewer_is_bound_to_this_machine():

@@ -638,6 +638,10 @@ def test_changed_mesh_is_noticed(write, tmp_path):
     (tmp_path / "box.stl").unlink()
     with pytest.raises(TaskError, match=r"box.stl: no such file"):
         task_from_dict(document, "plan.json")
+    document["obstacles"][0]["mesh"]["file"] = "/nope/mug.stl"
+    what = r"^plan.json: obstacles\[0\].mesh.file: /nope/mug.stl: is not in task.files$"
+    with pytest.raises(TaskError, match=what):
+        task_from_dict(document, "plan.json")
 
 
 def test_changes_of_the_search(write):

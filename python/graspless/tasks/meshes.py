@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 from xml.parsers import expat
 
 from .._xml import parse
+from .source import dotted
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .source import Source
+    from .source import Location, Source
 
 
 FOREIGN = (".dae", ".glb", ".gltf")  # read with the extra `robots`
@@ -56,10 +57,13 @@ def check_files(fields: Any, source: Source) -> None:
     Opens the meshes of the task's own robots and shapes only: a plan file may come from anybody.
     """
     named = _named(fields.model_dump(exclude_none=True))
-    unlisted = named - {Path(name) for name in fields.files}
+    unlisted = named.keys() - {Path(name) for name in fields.files}
     if unknown := sorted(path for path in unlisted if is_mesh(path) and path.is_file()):
         what = "was not there when the plan was made: its checksum is missing"
         raise source.error(("files",), f"{unknown[0]}: {what}")
+    for path in sorted(unlisted):
+        if named[path][-2:] == ("mesh", "file"):  # meshes of a URDF may be missing
+            raise source.error(named[path], "is not in task.files")
     for name, expected in fields.files.items():
         path = Path(name)
         if path not in named or not is_mesh(path):
@@ -132,23 +136,27 @@ def mesh_path(name: str, packages: dict[str, str], directory: str | None) -> Pat
     return Path(directory or ".") / name
 
 
-def _named(value: Any, place: str = "") -> set[Path]:
-    """Returns the mesh files that the fields of a task name. `place` is for errors."""
+def _named(value: Any, place: Location = ()) -> dict[Path, Location]:
+    """Returns the mesh files that the fields of a task name, and the field of each."""
+    found: dict[Path, Location] = {}
     if isinstance(value, list):
         if value and isinstance(value[0], (int, float)):
-            return set()
-        return set().union(*(_named(item, f"{place}[{i}]") for i, item in enumerate(value)))
+            return found
+        for i, item in enumerate(value):
+            found |= _named(item, (*place, i))
+        return found
     if not isinstance(value, dict):
-        return set()
-    inner = f"{place}." if place else ""
-    found = set().union(*(_named(item, f"{inner}{key}") for key, item in value.items()))
+        return found
+    for key, item in value.items():
+        found |= _named(item, (*place, key))
     if isinstance(value.get("urdf_text"), str):
         packages, folder = value.get("packages", {}), value.get("directory")
         try:
-            found |= mesh_files(value["urdf_text"], packages, folder)
+            meshes = mesh_files(value["urdf_text"], packages, folder)
         except ValueError as error:
-            raise ValueError(f"{inner}urdf_text: {error}") from None
+            raise ValueError(f"{dotted((*place, 'urdf_text'))}{error}") from None
+        found |= dict.fromkeys(meshes, (*place, "urdf_text"))
     mesh = value.get("mesh")
     if isinstance(mesh, dict) and isinstance(mesh.get("file"), str):
-        found.add(Path(mesh["file"]))
+        found[Path(mesh["file"])] = (*place, "mesh", "file")
     return found
