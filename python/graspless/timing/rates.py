@@ -42,8 +42,8 @@ class Rate:
         self._moments += count
         if not self._moments <= MOST_MOMENTS:
             raise TaskError(
-                f"rate: {self.hertz:g}: {self._seconds:.3g} s of motion have {self._moments:.7g} "
-                f"samples, more than {MOST_MOMENTS}: should be less, or max_velocity, "
-                "max_acceleration or contact_speed more"
+                f"rate: {self.hertz:g}: the first {self._seconds:.3g} s of motion alone have "
+                f"{self._moments:.7g} samples, more than {MOST_MOMENTS}: should be less, or "
+                "max_velocity, max_acceleration or contact_speed more"
             )
         return np.linspace(0.0, duration, int(count))
