@@ -131,6 +131,8 @@ FAULTS = [
     ((SAMPLE, "cloud: a.e57"), 5, r"object.cloud: a.e57: .*one of: .ply, .pcd, .xyz"),
     ((SAMPLE, "cloud: a.ply\n  points: 500"), 3, r"object: points is the number of samples"),
     ((SAMPLE, "mesh: {file: a.stl}"), 5, r"object.mesh.file: a.stl: no such file"),
+    ((SAMPLE, "mesh: {file: /tmp}"), 5, r"object.mesh.file: /tmp: is a folder, not a file"),
+    (more("hand: /tmp"), 7, r"hand: /tmp: is a folder, not a file"),
     ((SAMPLE, "mesh: {file: a.stl, scale: 0}"), 5, r"object.mesh.scale: 0: .*greater than 0"),
     ((SAMPLE, "points: []"), 5, r"object.points: .*(at least|20|points)"),
     ((SAMPLE, "points: [[0, 0, 0], [0, .nan, 0]]"), 5, r"object.points\[1\]\[1\]: nan: .*finite"),

@@ -106,6 +106,7 @@ FAULTS = [
     ((f"{BOX}\n", "\n"), 2, r"object: exactly one of box, mesh, vertices must be given, not none"),
     ((BOX, f"{BOX}\n  mesh: {{file: a.stl}}"), 2, r"not box and mesh"),
     ((BOX, "mesh: {file: a.stl}"), 4, r"object.mesh.file: a.stl: no such file"),
+    ((BOX, "mesh: {file: /tmp}"), 4, r"object.mesh.file: /tmp: is a folder, not a file"),
     ((BOX, "vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]"), 2, r"given together"),
     ((BOX, TETRAHEDRON.replace(", [2, 0, 3]]", ", [2, 0, 9]]")), 5, r"object.triangles: .*9"),
     ((BOX, TETRAHEDRON.replace(", [2, 0, 3]]", ", [0, 2, 3]]")), 5, r"object.triangles: .*orient"),

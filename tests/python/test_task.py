@@ -157,6 +157,13 @@ FAULTS = [
         r"obstacles: name given twice: a",
     ),
     ((OUTLINE, "cloud: scan.ply"), 7, r"object.cloud: scan.ply: no such file"),
+    (more("obstacles: [{name: a, mesh: {file: /tmp}}]"), 13, r"mesh.file: /tmp: is a folder"),
+    (more("hand: /tmp"), 13, r"hand: /tmp: is a folder"),
+    (
+        more("obstacles: [{name: a, mesh: {file: a.stl, scale: 0}}]"),
+        13,
+        r"obstacles\[0\].mesh.scale: 0: should be greater than 0$",
+    ),
     ((OUTLINE, "cloud: scan.e57"), 7, r"object.cloud: scan.e57: .*one of: .ply, .pcd, .xyz"),
     (("kind: slide", "kind: slide\nkind: slide"), 2, r"kind: given twice"),
     (("kind: slide", "kind: [slide"), 2, r"not valid YAML: .* \(column 6\)"),

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import warn
+from ..files import absence
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -45,7 +46,7 @@ def read_cloud(path: str | Path) -> Matrix:
     if path.suffix.lower() not in SUFFIXES:
         raise ValueError(f"unknown kind of point cloud (one of: {', '.join(SUFFIXES)})")
     if not path.is_file():
-        raise ValueError("no such file")
+        raise ValueError(absence(path))
     readers = {".pcd": _read_pcd, ".ply": _read_ply, ".xyz": _read_xyz}
     try:
         points = readers[path.suffix.lower()](path)

@@ -11,6 +11,7 @@ import numpy as np
 from pydantic import AfterValidator
 
 from .. import collision, geometry
+from ..files import absence
 from .shapes import MeshFile, Obstacle, Shape, given_twice, pose_matrix, regular_polygon
 from .source import Source, at
 
@@ -97,7 +98,7 @@ def _mesh(shape: Shape, source: Source, place: Location, directory: Path) -> Mes
         return None
     path = directory / shape.mesh.file
     if not path.is_file():
-        raise source.error((*place, "mesh", "file"), "no such file")
+        raise source.error((*place, "mesh", "file"), absence(path))
     return shape.mesh.model_copy(update={"file": str(path.resolve())})
 
 

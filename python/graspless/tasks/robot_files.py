@@ -177,7 +177,7 @@ def _find_srdf(
         return next((path for path in beside if path.is_file()), None)
     path = directory / given.srdf
     if not path.is_file():
-        raise source.error(place, "no such file")
+        raise source.error(place, absence(path))
     return path
 
 

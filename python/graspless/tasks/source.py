@@ -87,7 +87,7 @@ class Source:
             return model.model_validate(self.data)
         except ValidationError as error:
             faults = [self._explain(model, dict(fault)) for fault in error.errors()]
-            raise TaskError("\n".join(faults)) from None
+            raise TaskError("\n".join(dict.fromkeys(faults))) from None
 
     def require_bounds(self) -> None:
         """Raises TaskError if a value is one that no field can have."""

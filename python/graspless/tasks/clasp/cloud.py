@@ -10,6 +10,7 @@ import numpy as np
 
 from ... import geometry
 from ..._core import clasp
+from ...files import absence
 from ..clouds import read_cloud
 from ..documents import rows_of
 from ..rays import Rays, rays_fields
@@ -84,7 +85,7 @@ def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
     if thing.mesh is not None:
         path = directory / thing.mesh.file
         if not path.is_file():
-            raise source.error(("object", "mesh", "file"), "no such file")
+            raise source.error(("object", "mesh", "file"), absence(path))
         mesh = geometry.read_mesh(str(path), unit * np.array(thing.mesh.scale))
         shapes = [geometry.PlacedShape(mesh, np.eye(4))]
     else:

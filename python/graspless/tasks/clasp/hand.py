@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import Discriminator, Field, Tag
 
 from ..._core import clasp
+from ...files import absence
 from ..blame import blamed
 from ..effective_values import plain
 from ..reading import read_yaml
@@ -81,7 +82,7 @@ def resolve_hand(
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():
-            raise source.error(("hand",), "no such file")
+            raise source.error(("hand",), absence(path))
     else:
         beside = urdf and urdf.with_name(f"{stem(urdf)}.clasp.yaml")
         if beside is None or not beside.is_file():

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ...files import absence
 from ..meshes import checksums
 from ..obstacles import obstacle_meshes, resolve_obstacles
 from ..robot_files import resolve_robot
@@ -35,7 +36,7 @@ def resolve(task: model.FingertipTask, source: Source, directory: Path) -> model
     if thing.mesh is not None:
         path = (directory / thing.mesh.file).resolve()
         if not path.is_file():
-            raise source.error(("object", "mesh", "file"), "no such file")
+            raise source.error(("object", "mesh", "file"), absence(path))
         meshes.add(path)
         mesh = thing.mesh.model_copy(update={"file": str(path)})
         thing = thing.model_copy(update={"mesh": mesh})

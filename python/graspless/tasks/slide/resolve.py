@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from ... import frames
+from ...files import absence
 from .. import scenes, shapes
 from ..clouds import read_cloud
 from ..documents import rows_of
@@ -111,7 +112,7 @@ def _resolve_hand(
     if isinstance(hand, str):
         path = directory / hand
         if not path.is_file():
-            raise source.error(("hand",), "no such file")
+            raise source.error(("hand",), absence(path))
     if path is None or not path.is_file():
         return hand if isinstance(hand, model.Hand) else None, source
     read = read_yaml(path)
