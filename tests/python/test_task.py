@@ -156,6 +156,11 @@ FAULTS = [
         13,
         r"obstacles: name given twice: a",
     ),
+    (
+        ("thickness: 0.004", "thickness: 0.1"),
+        8,
+        r"object.thickness: 0.1: object 'card' is not thin",
+    ),
     ((OUTLINE, "cloud: scan.ply"), 7, r"object.cloud: scan.ply: no such file"),
     (more("obstacles: [{name: a, mesh: {file: /tmp}}]"), 13, r"mesh.file: /tmp: is a folder"),
     (more("hand: /tmp"), 13, r"hand: /tmp: is a folder"),
@@ -290,6 +295,7 @@ def test_warnings_point_at_the_line_that_called(write, tmp_path):
     [
         ((CARD, "rectangle: {size: [100, 80]}"), ":7: object.rectangle: is 100 x 80 m; lengths"),
         ((CARD, "circle: {radius: 50}"), ":7: object.circle: is 100 x 100 m; lengths"),
+        (("thickness: 0.004", "thickness: 8"), ":8: object.thickness: 8: is 8 m; lengths are in m"),
         ((TABLE, "rectangle: {size: [700, 700]}"), ":11: support.rectangle: is 700 x 700 m;"),
         (
             ("yaw: 0.3", "yaw: 90"),

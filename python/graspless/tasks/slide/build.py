@@ -142,9 +142,13 @@ def build_object(thing: model.Object, source: Source, *, thin: bool) -> slide.Ob
             built = slide.Object.from_cloud(thing.name, points, thing.thickness or 0.0)
         else:
             polygon = geometry.Polygon(outline(thing), "the outline")
-            spacing = {} if thing.spacing is None else {"spacing": thing.spacing}
-            make = slide.Object.from_polygon if thin else slide.Object.prism
-            built = make(thing.name, polygon, thing.thickness or 0.0, **spacing)
+            given: dict[str, Any] = {"thickness": thing.thickness or 0.0}
+            if thing.spacing is not None:
+                given["spacing"] = thing.spacing
+            built = slide.Object.prism(thing.name, polygon, **given)
+            if thin and not built.is_thin:
+                with at(source, "object", "thickness"):
+                    slide.Object.from_polygon(thing.name, polygon, **given)  # says why
         if thing.heights is not None:
             with at(source, "object", "heights"):
                 built = built.with_heights(build_heights(thing.heights))

@@ -26,6 +26,9 @@ def warn_of_sizes(task: model.OnSupport, source: Source) -> None:
             if max(size) > largest:
                 what = f"is {size[0]:.4g} x {size[1]:.4g} m; lengths are in metres"
                 source.warn((section, field), what)
+    if (task.object.thickness or 0.0) > LARGEST:
+        what = f"is {task.object.thickness:.4g} m; lengths are in metres"
+        source.warn(("object", "thickness"), what)
 
 
 def _sizes(shape: model.Object | model.Support) -> Iterator[tuple[str, tuple[float, float]]]:
