@@ -131,6 +131,11 @@ FAULTS = [
     ((SAMPLE, "cloud: a.e57"), 5, r"object.cloud: a.e57: .*one of: .ply, .pcd, .xyz"),
     ((SAMPLE, "cloud: a.ply\n  points: 500"), 3, r"object: points is the number of samples"),
     ((SAMPLE, "mesh: {file: a.stl}"), 5, r"object.mesh.file: a.stl: no such file"),
+    (
+        (SAMPLE, "unit: mm\n  mesh: {file: a.stl, unit: mm}"),
+        3,
+        r"object: unit and mesh.unit must not both be given",
+    ),
     ((SAMPLE, "mesh: {file: /tmp}"), 5, r"object.mesh.file: /tmp: is a folder, not a file"),
     (more("hand: /tmp"), 7, r"hand: /tmp: is a folder, not a file"),
     ((SAMPLE, "mesh: {file: a.stl, scale: 0}"), 5, r"object.mesh.scale: 0: .*greater than 0"),
@@ -264,11 +269,14 @@ def test_millimetres_taken_for_metres_are_warned_of(write, tmp_path):
         graspless.load_task(write(changed(SAMPLE, "cloud: ring.xyz")))
 
 
-def test_mesh_is_sampled(write, tmp_path):
+@pytest.mark.parametrize(
+    "mesh", ["{file: ring.stl, scale: 2}\n  unit: mm", "{file: ring.stl, scale: 2, unit: mm}"]
+)
+def test_mesh_is_sampled(write, tmp_path, mesh):
     import trimesh
 
     trimesh.creation.torus(100, 15).export(tmp_path / "ring.stl")
-    text = changed(SAMPLE, "mesh: {file: ring.stl, scale: 2}\n  unit: mm\n  points: 800")
+    text = changed(SAMPLE, f"mesh: {mesh}\n  points: 800")
     thing = graspless.load_task(write(text)).problem.object
     assert thing.points.shape == (800, 3)
     assert np.hypot(*thing.points[:, :2].T).max() == pytest.approx(0.23, abs=2e-3)

@@ -288,7 +288,7 @@ def test_degrees_and_millimetres_are_warned_of(write, change, what):
     [
         (
             "1",
-            r"mesh: is 50 x 50 x 100 m; lengths are in metres; .*millimetres write 'scale: 0.001",
+            r"mesh: is 50 x 50 x 100 m; lengths are in metres; .*millimetres write 'unit: mm'",
         ),
         ("1.0e-6", r"mesh: is 5e-05 x 5e-05 x 0.0001 m; lengths are in metres; .*write no scale"),
     ],
@@ -304,12 +304,13 @@ def test_the_unit_of_an_obstacle_s_mesh_is_doubted(write, tmp_path, scale, what,
     place = r"obstacles\[0\].parts\[1\]." if parts else r"obstacles\[0\]."
     with pytest.warns(UserWarning, match=place + what):
         graspless.load_task(write(changed("budget:", obstacle)))
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        graspless.load_task(
-            write(
-                changed("budget:", obstacle.replace(mesh, "mesh: {file: post.stl, scale: 0.001}"))
-            )
+    for right in ("scale: 0.001", "unit: mm"):
+        text = changed("budget:", obstacle.replace(mesh, f"mesh: {{file: post.stl, {right}}}"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            post = graspless.load_task(write(text)).problem.obstacles[0]
+        np.testing.assert_allclose(
+            np.ptp(post.shapes[-1].shape.vertices, axis=0), [0.05, 0.05, 0.1]
         )
 
 

@@ -76,9 +76,9 @@ def _warn_of_size(size: Matrix, place: Location, source: Source) -> None:
     """Warns of the sides [3] of a mesh that look like another unit than metres."""
     what = f"is {size[0]:.4g} x {size[1]:.4g} x {size[2]:.4g} m; lengths are in metres"
     if size.max() > LARGEST:
-        source.warn(place, f"{what}; of a mesh in millimetres write 'scale: 0.001'")
+        source.warn(place, f"{what}; of a mesh in millimetres write 'unit: mm'")
     elif size.max() < SMALLEST:
-        source.warn(place, f"{what}; of a mesh in metres write no scale")
+        source.warn(place, f"{what}; of a mesh in metres write no scale and no unit")
 
 
 def _resolved(obstacle: Obstacle, source: Source, index: int, directory: Path) -> Obstacle:
@@ -122,4 +122,4 @@ def _shape(shape: Shape) -> AnyShape:
             np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in heights])
         )
     assert shape.mesh is not None
-    return geometry.read_mesh(shape.mesh.file, np.array(shape.mesh.scale))
+    return geometry.read_mesh(shape.mesh.file, shape.mesh.factors)

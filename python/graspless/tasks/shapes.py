@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, model_validator
@@ -140,6 +140,12 @@ class MeshFile(Fields):
 
     file: str = Field(description=".stl, .obj, .off or .ply")
     scale: Scale3 = Field(default=[1.0, 1.0, 1.0], description="factor, or one per axis")
+    unit: Literal["m", "mm"] = Field(default="m", description="unit of the file")
+
+    @property
+    def factors(self) -> Matrix:
+        """Factors from the numbers in the file to metres, one per axis [3]."""
+        return np.array(self.scale) * (0.001 if self.unit == "mm" else 1.0)
 
 
 class Named(Fields):

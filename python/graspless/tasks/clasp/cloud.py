@@ -86,7 +86,7 @@ def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
         path = directory / thing.mesh.file
         if not path.is_file():
             raise source.error(("object", "mesh", "file"), absence(path))
-        mesh = geometry.read_mesh(str(path), unit * np.array(thing.mesh.scale))
+        mesh = geometry.read_mesh(str(path), unit * thing.mesh.factors)
         shapes = [geometry.PlacedShape(mesh, np.eye(4))]
     else:
         shapes = clasp.sample_object(thing.sample or "")

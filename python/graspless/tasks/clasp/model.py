@@ -124,6 +124,8 @@ class Object(Fields):
             )
         if self.unit != "m" and self.cloud is None and self.mesh is None:
             raise ValueError("unit is for files: cloud or mesh")
+        if self.unit != "m" and self.mesh is not None and self.mesh.unit != "m":
+            raise ValueError("unit and mesh.unit must not both be given")
         return self
 
     def _check_scene(self) -> None:

@@ -144,8 +144,7 @@ def build_options(
 
 def _mesh(thing: model.Object) -> geometry.Mesh:
     if thing.mesh is not None:
-        scale = np.array(thing.mesh.scale) * (0.001 if thing.mesh.unit == "mm" else 1.0)
-        return geometry.read_mesh(thing.mesh.file, scale)
+        return geometry.read_mesh(thing.mesh.file, thing.mesh.factors)
     return geometry.Mesh(np.array(thing.vertices), np.array(thing.triangles))
 
 

@@ -64,18 +64,12 @@ Inertia = Annotated[
 OWN_FRICTION = "coefficient of friction of the object on this plane, instead of the task's"
 
 
-class ObjectMesh(MeshFile):
-    """A closed triangle mesh in a file."""
-
-    unit: Literal["m", "mm"] = Field(default="m", description="unit of the file")
-
-
 class Object(Fields):
     """Object to move: a box or any closed mesh, in a frame O."""
 
     name: str = "object"
     box: Size3 | None = Field(default=None, description="side lengths of a box centred at O [m]")
-    mesh: ObjectMesh | None = None
+    mesh: MeshFile | None = Field(default=None, description="closed triangle mesh in a file")
     vertices: Annotated[list[Point3], Field(min_length=4)] | None = Field(
         default=None, description="vertices of the mesh, in O [m]"
     )
