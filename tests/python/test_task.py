@@ -161,6 +161,7 @@ FAULTS = [
         8,
         r"object.thickness: 0.1: object 'card' is not thin",
     ),
+    (("yaw: 0.3", "yaw: null"), 9, r"object.pose.yaw: null: should be a valid number"),
     ((OUTLINE, "cloud: scan.ply"), 7, r"object.cloud: scan.ply: no such file"),
     (more("obstacles: [{name: a, mesh: {file: /tmp}}]"), 13, r"mesh.file: /tmp: is a folder"),
     (more("hand: /tmp"), 13, r"hand: /tmp: is a folder"),

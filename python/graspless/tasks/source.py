@@ -228,8 +228,8 @@ def shorten(value: Any, longest: int = LONGEST) -> str:
         text = value if is_word else repr(value)
     except ValueError:  # more digits than Python writes
         return "a whole number" if isinstance(value, int) else "a list"
-    if isinstance(value, bool):
-        text = str(value).lower()
+    if value is None or isinstance(value, bool):
+        text = "null" if value is None else str(value).lower()
     if len(text) <= longest:
         return text
     is_path = is_word and "/" in text and " " not in text
