@@ -149,12 +149,12 @@ def run(*arguments):
 def test_the_command_writes_the_same(tmp_path, folder):
     done = run("Pick", "-o", str(tmp_path / "a"), "--episodes", "2", "--seed", "2")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("2 episodes held, 2 were tried")
+    assert done.stdout.startswith("2 of 2 episodes held: ")
     for name, values in columns(tmp_path / "a").items():
         np.testing.assert_array_equal(values, columns(folder)[name])
     again = run("Pick", "-o", str(tmp_path / "a"))
     assert again.returncode == 2
-    assert "is a folder" in again.stderr
+    assert "a: is a complete recording: should be a new folder" in again.stderr
 
 
 @pytest.fixture(scope="module")

@@ -60,7 +60,7 @@ def _run(options: argparse.Namespace) -> int:
         images=options.video,
         progress=_tell if sys.stderr.isatty() else None,
     )
-    print(f"{options.episodes} episodes held, {tried} were tried: {options.output}")
+    print(f"{options.episodes} of {tried} episodes held: {options.output}")
     return FOUND
 
 

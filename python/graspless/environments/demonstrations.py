@@ -72,9 +72,11 @@ def demonstrate(
     """
     episodes = require_integer("episodes", episodes, least=1)
     seed, folder = require_integer("seed", seed, least=0), Path(folder)
-    files.check_writable(folder)
+    if (folder / "meta" / "info.json").is_file():
+        raise TaskError(f"{folder}: is a complete recording: should be a new folder")
     if folder.exists():
         raise TaskError(f"{folder}: cannot be written: it exists already; should be a new folder")
+    files.check_writable(folder)
     env = PlanEnv(name, varied=varied, render_mode="rgb_array" if images else None)
     settings = {"name": name, "varied": varied, "images": images, "version": __version__}
     takes = _Takes(env, folder.with_name(f"{folder.name}.part"), settings)
