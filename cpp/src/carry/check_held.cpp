@@ -179,8 +179,8 @@ std::vector<std::string> shape_faults(const Problem& problem, const Plan& plan,
                                       const std::vector<std::string>& names) {
   if (!plan) return {"plan: not solved: " + plan.reason};
   std::vector<std::string> faults, found;
-  if (plan.joint_names != problem.robot.joint_names())
-    faults.push_back("plan: joint names are not the robot's");
+  const std::string wrong = scene::wrong_names(problem.robot, plan.joint_names);
+  if (!wrong.empty()) faults.push_back("plan: " + wrong);
   if (plan.reached != 1)
     faults.push_back("plan: reached must be 1 if it is solved, but is " +
                      std::to_string(plan.reached));

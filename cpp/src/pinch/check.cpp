@@ -78,8 +78,8 @@ class Examination {
       fault("plan", "not solved: " + plan_.reason);
       return false;
     }
-    if (plan_.joint_names != problem_.robot.joint_names())
-      fault("plan", "joint names are not the robot's");
+    const std::string wrong = scene::wrong_names(problem_.robot, plan_.joint_names);
+    if (!wrong.empty()) fault("plan", wrong);
     std::vector<std::string> names;
     for (const Segment& segment : plan_.segments) names.push_back(segment.name);
     if (names != kNames) fault("plan", "segments are not approach, grasp, close");

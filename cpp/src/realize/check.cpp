@@ -6,6 +6,7 @@
 
 #include "realize/examination.hpp"
 #include "realize/validate.hpp"
+#include "scene/rows.hpp"
 #include "text.hpp"
 
 namespace graspless::realize {
@@ -76,8 +77,8 @@ bool Examination::has_shape() {
     fault("realization: not found: " + realization_.reason);
     return false;
   }
-  if (realization_.joint_names != robot_.joint_names())
-    fault("realization: joint names are not the robot's");
+  const std::string wrong = scene::wrong_names(robot_, realization_.joint_names);
+  if (!wrong.empty()) fault("realization: " + wrong);
   std::string expected, found;
   for (const Phase& phase : phases_)
     expected += phase.name + " (" + std::to_string(phase.plan_segment) + ") ";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/rows.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace graspless::scene {
@@ -9,6 +10,13 @@ namespace graspless::scene {
 bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance) {
   return (a.translation() - b.translation()).norm() <= tolerance &&
          Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() <= tolerance;
+}
+
+std::string wrong_names(const robot::Robot& robot, const std::vector<std::string>& names) {
+  const std::vector<std::string>& own = robot.joint_names();
+  if (names == own) return "";
+  const bool same = std::is_permutation(names.begin(), names.end(), own.begin(), own.end());
+  return same ? "joint names are not in the robot's order" : "joint names are not the robot's";
 }
 
 void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,

@@ -40,6 +40,9 @@ void replay_rows(const robot::Robot& robot, const std::vector<Eigen::VectorXd>& 
 /// True if two poses agree in position [m] and attitude [rad] within `tolerance`.
 bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tolerance);
 
+/// What is wrong with the joint names of a plan; empty if they are the robot's.
+std::string wrong_names(const robot::Robot& robot, const std::vector<std::string>& names);
+
 /// Calls fault(row, what) for each row that is too far from the row before it or leaves the joint
 /// limits, and for the first row if it differs from `before` by more than `same`.
 void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,

@@ -219,7 +219,7 @@ TEST(CarryCheck, FindsWhatIsWrong) {
   expect_fault(bad, "is not q_start");
   bad = good;
   bad.joint_names.pop_back();
-  expect_fault(bad, "joint names");
+  expect_fault(bad, "joint names are not the robot's");
 }
 
 TEST(CarryCheck, FindsWhatTheHeldObjectTouches) {

@@ -61,7 +61,9 @@ TEST_F(Check, AHeavierObject) {
 
 TEST_F(Check, OtherJoints) {
   std::swap(plan_.joint_names[0], plan_.joint_names[1]);
-  expect_fault("joint names");
+  expect_fault("plan: joint names are not in the robot's order");
+  plan_.joint_names[0] = "other";
+  expect_fault("plan: joint names are not the robot's");
 }
 
 TEST_F(Check, AValueThatIsNotFinite) {

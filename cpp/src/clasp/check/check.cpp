@@ -61,8 +61,8 @@ bool PlanChecker::is_complete() {
     fault("plan", "not solved: ", plan_.reason);
     return false;
   }
-  if (plan_.joint_names != problem_.robot.joint_names())
-    fault("plan", "joint names are not the robot's");
+  const std::string wrong = scene::wrong_names(problem_.robot, plan_.joint_names);
+  if (!wrong.empty()) fault("plan", wrong);
   if (plan_.segments.size() != 2 || reach().name != "reach" || close().name != "close") {
     fault("plan", "segments are not reach, close");
     return false;

@@ -75,8 +75,8 @@ bool Examination::has_shape() {
     fault("plan", "not solved: " + plan_.reason);
     return false;
   }
-  if (plan_.joint_names != problem_.robot.joint_names())
-    fault("plan", "joint names are not the robot's");
+  const std::string wrong = scene::wrong_names(problem_.robot, plan_.joint_names);
+  if (!wrong.empty()) fault("plan", wrong);
   std::vector<std::string> found;
   for (const Segment& s : plan_.segments) found.push_back(s.name);
   if (found != names()) {
