@@ -16,6 +16,7 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 
 constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kShare = 0.75;    // of its effort limit, with which a joint bears: see slide.md
 
 /// Length of the object between the fingers: how far its outline reaches behind their tips, within
 /// the width of the pads [m].
@@ -122,7 +123,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
     const double torque = std::abs(opening[joint]), limit = robot.max_effort()[joint];
     if (is_arm[static_cast<std::size_t>(joint)] || torque < kStill) continue;
     if (!std::isfinite(limit)) return std::nullopt;
-    most = std::min(most, limit / torque);
+    most = std::min(most, kShare * limit / torque);
   }
   if (!std::isfinite(most)) return std::nullopt;
   held.max_mass = most / kGravity;

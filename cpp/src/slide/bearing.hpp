@@ -15,7 +15,7 @@ struct Bearing {
   double lever;     ///< distance of the centre of mass beyond the fingertips, 0 or more [m]
   double offset;    ///< distance of the centre of mass from the middle of the pads' width [m]
   double depth;     ///< length of the object between the fingers [m]
-  double max_mass;  ///< that the hand's joints bear at their effort limits [kg]
+  double max_mass;  ///< that the hand's joints bear at three quarters of their effort limits [kg]
 };
 
 /// The lower finger bears the object at its tip, and the upper one presses it down at its edge.
