@@ -233,8 +233,8 @@ TEST(Torsion, AnObjectThatEndsShortOfThePlanIsWarnedOf) {
     options.max_depth = 40.0 / 600 / 2;
     const Plan plan = slide::plan(problem, options);
     ASSERT_TRUE(plan) << plan.reason;
-    const bool told = std::any_of(
-        plan.warnings.begin(), plan.warnings.end(), [](const std::string& warning) {
+    const bool told =
+        std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const std::string& warning) {
           return warning.find("gives way to the friction") != std::string::npos;
         });
     EXPECT_EQ(told, mass > 0.5);
