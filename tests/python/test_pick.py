@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Picks: the strategy that works, reasons for the others, bad input, and the command."""
 
+import dataclasses
 import json
 import time
 import warnings
@@ -249,7 +250,7 @@ def test_a_slide_needs_fingers_that_bear_the_object():
     plan = slid(1.05 * borne)
     assert plan.stages[0].max_mass >= 1.05 * borne
     assert not plan.stages[0].warnings
-    wish = _wish(scene, name)
+    wish = dataclasses.replace(_wish(scene, name), mass=1.05 * borne)
     document = plan.task.to_dict()
     told = []
     for seed in range(1, 9):  # these plans are not compared with what the camera saw
@@ -258,6 +259,7 @@ def test_a_slide_needs_fingers_that_bear_the_object():
         heavy = first.max_mass < 1.05 * borne
         assert heavy == any("its fingers bear" in text for text in first.warnings)
         assert heavy == ("the fingers bear" in doubt(found, wish))
+        assert "the fingers bear" not in doubt(found, _wish(scene, name))  # no mass was given
         told.append(heavy)
     assert any(told)
     assert not all(told)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -42,35 +41,32 @@ double depth_of(const Problem& problem, const Isometry3d& X_HO) {
   return -least;
 }
 
-/// A finger as a chain of links, to be pressed on at points of the axis Z_H.
+/// Rates at which points of the axis Z_H move with a finger, relative to the palm.
 class Finger {
  public:
-  Finger(const robot::Robot& robot, const robot::Poses& X_WL, const Isometry3d& X_WH,
-         std::vector<int> links)
-      : robot_(robot), X_WL_(X_WL), X_WH_(X_WH), links_(std::move(links)) {}
+  Finger(const robot::Robot& robot, const robot::Poses& X_WL, int palm, std::vector<int> links)
+      : robot_(robot), X_WL_(X_WL), palm_(palm), links_(std::move(links)) {}
 
-  /// Mean height of the links' origins [m].
-  double height() const {
-    double sum = 0;
-    for (const int link : links_) sum += pose(link).translation().z();
-    return sum / static_cast<double>(links_.size());
-  }
-  /// Rate of a point at `z` along Z_H in a direction of W, per unit of each joint [m/rad or 1].
+  /// Rate of the point at `z` in a direction of W, per unit of each joint [m/rad or 1].
   Eigen::VectorXd rates(double z, const Vector3d& direction_W) const {
-    const Vector3d p_W = X_WH_ * Vector3d(0, 0, z);
-    const int link = link_at(z);
+    const Vector3d p_W = pose(palm_) * Vector3d(0, 0, z);
+    return rates(link_at(z), p_W, direction_W) - rates(palm_, p_W, direction_W);
+  }
+
+ private:
+  const Isometry3d& pose(int link) const { return X_WL_[static_cast<std::size_t>(link)]; }
+  Eigen::VectorXd rates(int link, const Vector3d& p_W, const Vector3d& direction_W) const {
     Eigen::Matrix<double, 6, Eigen::Dynamic> J;
     robot_.jacobian(link, X_WL_, J);
     const Vector3d arm = p_W - pose(link).translation();
     return J.topRows<3>().transpose() * direction_W +
            J.bottomRows<3>().transpose() * arm.cross(direction_W);
   }
-
- private:
-  const Isometry3d& pose(int link) const { return X_WL_[static_cast<std::size_t>(link)]; }
   /// The last link that begins behind z.
   int link_at(double z) const {
-    const auto begin = [&](int link) { return (X_WH_.inverse() * pose(link).translation()).z(); };
+    const auto begin = [&](int link) {
+      return (pose(palm_).inverse() * pose(link).translation()).z();
+    };
     int last = links_.front();
     for (const int link : links_) {
       if (begin(link) <= z && (begin(link) > begin(last) || begin(last) > z)) last = link;
@@ -80,7 +76,7 @@ class Finger {
 
   const robot::Robot& robot_;
   const robot::Poses& X_WL_;
-  const Isometry3d& X_WH_;
+  int palm_;  // frame H
   std::vector<int> links_;
 };
 
@@ -90,22 +86,26 @@ std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
                                const Isometry3d& X_WO) {
   constexpr double kLeastDepth = 1e-3;  // [m]
   constexpr double kStill = 1e-6;       // rate of a joint that does not yield [m/rad or 1]
+  constexpr double kStrongest = 500;    // force of a finger: more is a placeholder in a URDF [N]
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
   robot.forward(q, X_WL);
-  const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))];
-  std::vector<int> own, others;
-  const std::vector<std::string>& sliding = problem.hand.sliding_finger;
+  const int palm = robot.frame(problem.hand.grasp_frame);
+  const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(palm)];
+  std::vector<int> sliding, others;
   for (const std::string& name : problem.hand.fingers) {
-    const bool is_own = std::find(sliding.begin(), sliding.end(), name) != sliding.end();
-    (is_own ? own : others).push_back(robot.frame(name));
+    const std::vector<std::string>& links = problem.hand.sliding_finger;
+    const bool slides = std::find(links.begin(), links.end(), name) != links.end();
+    (slides ? sliding : others).push_back(robot.frame(name));
   }
-  if (own.empty() || others.empty()) return std::nullopt;
-  const Finger a(robot, X_WL, X_WH, own), b(robot, X_WL, X_WH, others);
-  const auto& [lower, upper] = a.height() <= b.height() ? std::tie(a, b) : std::tie(b, a);
+  if (sliding.empty() || others.empty()) return std::nullopt;
+  const Finger own(robot, X_WL, palm, sliding), other(robot, X_WL, palm, others);
+  const int tip = robot.frame(problem.hand.fingertip);
+  const double other_up = X_WL[static_cast<std::size_t>(tip)].linear()(2, 1);  // Y_F points to it
+  const auto& [lower, upper] = other_up > 0 ? std::tie(own, other) : std::tie(other, own);
 
-  const Isometry3d X_HO = X_WH.inverse() * X_WO;
   Bearing held{};
+  const Isometry3d X_HO = X_WH.inverse() * X_WO;
   const Vector3d p_HC = X_HO * problem.object.com();
   held.lever = std::max(0.0, p_HC.z());
   held.offset = std::abs(p_HC.x());
@@ -115,17 +115,17 @@ std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
                                 held.offset / problem.hand.pad_width - 0.5);
   const Eigen::VectorXd opening =  // torques of a weight of 1 N
       ratio * upper.rates(-held.depth, up) - (1 + ratio) * lower.rates(0, up);
-  std::vector<bool> is_arm(static_cast<std::size_t>(robot.dof()), false);
-  for (const int joint : robot.group(problem.hand.arm))
-    is_arm[static_cast<std::size_t>(joint)] = true;
-  double most = std::numeric_limits<double>::infinity();  // weight [N]
+  double most = kStrongest / (1 + ratio);  // weight [N]
+  bool is_known = false;
   for (int joint = 0; joint < robot.dof(); ++joint) {
     const double torque = std::abs(opening[joint]), limit = robot.max_effort()[joint];
-    if (is_arm[static_cast<std::size_t>(joint)] || torque < kStill) continue;
+    if (torque < kStill) continue;
     if (!std::isfinite(limit)) return std::nullopt;
-    most = std::min(most, kShare * limit / torque);
+    if (kShare * limit >= most * torque) continue;
+    most = kShare * limit / torque;
+    is_known = true;
   }
-  if (!std::isfinite(most)) return std::nullopt;
+  if (!is_known) return std::nullopt;
   held.max_mass = most / kGravity;
   return held;
 }

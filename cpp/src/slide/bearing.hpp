@@ -23,8 +23,8 @@ struct Bearing {
 ///
 ///   N_upper = W max(lever / depth, offset / w - 1/2),  N_lower = W + N_upper.
 ///
-/// Both forces open the hand. Nothing if no joint of the hand resists them, or if the effort limit
-/// of one that must is unknown. `q`: all joints, the hand closed; `X_WO`: pose of the object.
+/// Both forces open the hand. Nothing if no joint resists them, or if the effort limit of one that
+/// must is unknown, or a placeholder. `q`: all joints, the hand closed; `X_WO`: pose of the object.
 std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
                                const Eigen::Isometry3d& X_WO);
 

@@ -66,11 +66,9 @@ def _doubt_slide(stage: Any, wish: Wish) -> str:
                 f"where {what}, it is {1000 * height:.0f} mm high, its top {1000 * top:.0f} mm: at "
                 f"most {1000 * lower:.0f} mm lower is allowed"
             )
-    if stage.max_mass is not None and float(thing.mass) > stage.max_mass:
-        return (
-            f"where the hand grasps it, the fingers bear {stage.max_mass:.2f} kg; "
-            f"it weighs {float(thing.mass):.2f} kg"
-        )
+    if wish.mass is not None and stage.max_mass is not None and wish.mass > stage.max_mass:
+        borne = f"the fingers bear {stage.max_mass:.3f} kg"
+        return f"where the hand grasps it, {borne}; it weighs {wish.mass:.3f} kg"
     return ""
 
 

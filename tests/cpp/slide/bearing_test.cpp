@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,21 @@ TEST(SlideBearing, ItGrowsWithTheEffortLimitAndIsNotKnownWithoutOne) {
   EXPECT_FALSE(unknown.max_mass);
 }
 
+TEST(SlideBearing, TheArmIsNotPartOfIt) {
+  Problem problem = with_effort("2", 0.1);
+  const Plan plan = slide::plan(problem);
+  ASSERT_TRUE(plan) << plan.reason;
+  const std::regex of_arm(" effort=\"(?!2\")[^\"]*\"");
+  const std::string urdf = std::regex_replace(problem.robot.urdf(), of_arm, "");
+  problem.robot = robot::Robot::from_urdf(urdf, problem.robot.options());
+  EXPECT_TRUE(std::isinf(problem.robot.max_effort().maxCoeff()));
+  EXPECT_NEAR(bearing(problem, plan)->max_mass, *plan.max_mass, 1e-9);
+}
+
+TEST(SlideBearing, AnEffortLimitThatIsAPlaceholderIsUnknown) {
+  EXPECT_FALSE(slide::plan(with_effort("1000", 0.1)).max_mass);
+}
+
 TEST(SlideBearing, AnObjectTooHeavyForTheFingersIsWarnedOf) {
   Problem problem = with_effort("2", 0.1);
   Plan plan = slide::plan(problem);
@@ -119,8 +135,12 @@ TEST(SlideBearing, AnObjectTooHeavyForTheFingersIsWarnedOf) {
   problem.object = problem.object.with_mass(1.1 * most);
   EXPECT_NE(faults().find(missing), std::string::npos) << faults();
   problem.object = problem.object.with_mass(0.1);
+  plan.max_mass = 0;
+  EXPECT_NE(faults().find("max_mass must be above 0"), std::string::npos) << faults();
   plan.max_mass = 1.1 * most;
-  EXPECT_NE(faults().find("max_mass is not what the fingers bear"), std::string::npos) << faults();
+  EXPECT_NE(faults().find("max_mass must be above 0 and at most what the fingers bear"),
+            std::string::npos)
+      << faults();
 }
 
 TEST(SlideBearing, AnObjectThatIsLeftIsNotBorne) {

@@ -218,9 +218,11 @@ void Examination::check_warnings() {
                        [&](const std::string& text) { return text.rfind(warning.risk, 0) == 0; });
   };
   const std::optional<Bearing> held = bearing(problem_, plan_);
-  if (plan_.max_mass && !(held && *plan_.max_mass <= kClearly * held->max_mass))
-    fault("close", "max_mass is not what the fingers bear: it is " +
-                       (held ? figure(held->max_mass) + " kg" : "unknown"));
+  if (plan_.max_mass &&
+      !(held && *plan_.max_mass > 0 && *plan_.max_mass <= kClearly * held->max_mass)) {
+    fault("plan", "max_mass must be above 0 and at most what the fingers bear, which is " +
+                      (held ? figure(held->max_mass) + " kg" : "unknown"));
+  }
   for (const Warning& warning : warnings(problem_, pressed_rows(problem_, plan_), held, kClearly)) {
     if (!has(warning)) fault("warnings", "the plan lacks this one: " + warning.text());
   }

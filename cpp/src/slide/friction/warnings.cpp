@@ -63,10 +63,10 @@ std::optional<Warning> of_weight(const Problem& problem, const std::optional<Bea
                                  double beyond) {
   if (!held || problem.object.mass() <= beyond * held->max_mass) return std::nullopt;
   std::ostringstream out;
-  out << std::setprecision(2) << held->max_mass << " kg where they grasp, with the centre of mass "
+  out << std::setprecision(3) << held->max_mass << " kg where they grasp, with the centre of mass "
       << in_mm(held->lever) << " beyond their tips and " << in_mm(held->offset) << " aside, and "
       << in_mm(held->depth) << " of the object between them (object.mass " << std::setprecision(6)
-      << problem.object.mass() << " kg); a larger options.min_overhang helps";
+      << problem.object.mass() << " kg); a larger options.min_overhang may help";
   return Warning{"the hand may lose the object when it lifts it: its fingers bear ", out.str()};
 }
 
