@@ -239,6 +239,20 @@ def test_a_slide_needs_its_height_where_it_presses_and_grasps(scene, names):
         assert unseen == f"nobody saw the top {what.split(',')[0]}"
 
 
+def test_a_pinch_without_time_says_nothing_of_the_hand(scene, names, monkeypatch):
+    planned = trying._plan
+
+    def hasty(strategy, *given):
+        plan, *rest = planned(strategy, *given)
+        if strategy == "pinch":  # as if its time had been over before the hand was measured
+            plan.stages[0].opening = 0.0
+        return plan, *rest
+
+    monkeypatch.setattr(trying, "_plan", hasty)
+    found = graspless.pick(scene, names["card"], "wam_t42", strategies=["pinch", "slide"])
+    assert found.strategy == "slide", found.reason
+
+
 def test_a_slide_needs_fingers_that_bear_the_object():
     scene = seen(([0.2, 0.09, 0.02], 0.6, 0.1, 0.01, 0.3))
     name = scene.objects[0].name

@@ -79,7 +79,7 @@ def attempt_plan(
         attempt.seconds += time.monotonic() - began
     if plan.stages and plan.stages[0].kind == "pinch":
         first: Any = plan.stages[0]
-        attempt.opening = float(first.opening)
+        attempt.opening = float(first.opening) or None  # 0 if its time was over at once
         attempt.moves = isinstance(fingertips_of(first.task.problem), Fingertips)
     if plan or attempt.status != "solved":
         attempt.status, attempt.reason = str(plan.status), explained(plan, wish)
