@@ -268,7 +268,8 @@ def test_a_slide_needs_fingers_that_bear_the_object():
     document = plan.task.to_dict()
     told = []
     for seed in range(1, 9):  # these plans are not compared with what the camera saw
-        found = graspless.plan({**document, "budget": {"seed": seed, "seconds": 5.0}})
+        found = graspless.plan({**document, "budget": {"seed": seed, "seconds": 60.0}})
+        assert found, found.reason
         first = found.stages[0]
         heavy = first.max_mass < 1.05 * borne
         assert heavy == any("its fingers bear" in text for text in first.warnings)
