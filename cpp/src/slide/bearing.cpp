@@ -9,13 +9,16 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "slide/friction/pressed.hpp"
+
 namespace graspless::slide {
 namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kShare = 0.75;    // of its effort limit, with which a joint bears: see slide.md
+constexpr double kShare = 0.75;  // of its effort limit, with which a joint bears: see slide.md
 
 /// Length of the object between the fingers: how far its outline reaches behind their tips, within
 /// the width of the pads [m].
@@ -82,14 +85,15 @@ class Finger {
 
 }  // namespace
 
-std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
-                               const Isometry3d& X_WO) {
+std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
+  if (problem.X_WO_end) return std::nullopt;
   constexpr double kLeastDepth = 1e-3;  // [m]
   constexpr double kStill = 1e-6;       // rate of a joint that does not yield [m/rad or 1]
   constexpr double kStrongest = 500;    // force of a finger: more is a placeholder in a URDF [N]
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
-  robot.forward(q, X_WL);
+  const Segment& close = plan.segments.back();
+  robot.forward(close.positions.back(), X_WL);
   const int palm = robot.frame(problem.hand.grasp_frame);
   const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(palm)];
   std::vector<int> sliding, others;
@@ -105,7 +109,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
   const auto& [lower, upper] = other_up > 0 ? std::tie(own, other) : std::tie(other, own);
 
   Bearing held{};
-  const Isometry3d X_HO = X_WH.inverse() * X_WO;
+  const Isometry3d X_HO = X_WH.inverse() * close.object_poses.back();
   const Vector3d p_HC = X_HO * problem.object.com();
   held.lever = std::max(0.0, p_HC.z());
   held.offset = std::abs(p_HC.x());
@@ -128,12 +132,6 @@ std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
   if (!is_known) return std::nullopt;
   held.max_mass = most / kGravity;
   return held;
-}
-
-std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
-  if (problem.X_WO_end) return std::nullopt;
-  const Segment& last = plan.segments.back();
-  return bearing(problem, last.positions.back(), last.object_poses.back());
 }
 
 }  // namespace graspless::slide

@@ -4,8 +4,6 @@
 
 #include <optional>
 
-#include <Eigen/Geometry>
-
 #include "graspless/slide/slide.hpp"
 
 namespace graspless::slide {
@@ -24,11 +22,7 @@ struct Bearing {
 ///   N_upper = W max(lever / depth, offset / w - 1/2),  N_lower = W + N_upper.
 ///
 /// Both forces open the hand. Nothing if no joint resists them, or if the effort limit of one that
-/// must is unknown, or a placeholder. `q`: all joints, the hand closed; `X_WO`: pose of the object.
-std::optional<Bearing> bearing(const Problem& problem, const Eigen::VectorXd& q,
-                               const Eigen::Isometry3d& X_WO);
-
-/// Same, at the end of a plan; nothing if it does not grasp.
+/// must is unknown, or a placeholder; or if the plan, which has all its segments, does not grasp.
 std::optional<Bearing> bearing(const Problem& problem, const Plan& plan);
 
 }  // namespace graspless::slide

@@ -9,10 +9,7 @@
 
 namespace graspless::slide {
 
-double weight(const Problem& problem) {
-  constexpr double kGravity = 9.81;  // [m/s^2]
-  return problem.object.mass() * kGravity;
-}
+double weight(const Problem& problem) { return problem.object.mass() * kGravity; }
 
 double drag_ratio(const Problem& problem, double press) {
   return problem.support.friction() / problem.hand.pad_friction * (1 + weight(problem) / press);

@@ -42,6 +42,8 @@ Turning turning(const Problem& problem, const std::vector<PressedRow>& rows);
 std::optional<std::size_t> tipping_row(const Problem& problem, const Options& options,
                                        const std::vector<PressedRow>& rows);
 
+constexpr double kGravity = 9.81;  ///< [m/s^2]
+
 /// Weight of the object [N].
 double weight(const Problem& problem);
 
