@@ -113,3 +113,9 @@ def test_degrees_and_millimetres_are_warned_of_once(new, what):
     texts = [str(one.message) for one in caught if "are in" in str(one.message)]
     assert len(texts) == 1
     assert re.search(what, texts[0])
+
+
+def test_obstacles_in_millimetres_are_warned_of():
+    text = GOOD.replace("obstacles:\n", "obstacles:\n  - {name: wall, box: [20, 800, 600]}\n")
+    with pytest.warns(UserWarning, match=r"obstacles\[0\].box\[1\]: 800: is more than 100 m;"):
+        read_task(text, "task.yaml")

@@ -328,6 +328,10 @@ stages:
     assert plan.task.fields.stages[0]["object"]["name"] == "card"
     missing = fault(write(text.replace("sub/slide", "sub/none")))
     assert "task.yaml:3: stages[0].file: sub/none.yaml: no such file" in missing
+    folder = fault(write(text.replace("sub/slide.yaml", "sub")))
+    assert "task.yaml:3: stages[0].file: sub: is a folder, not a file" in folder
+    number = fault(write(text.replace("sub/slide.yaml", "3")))
+    assert "task.yaml:3: stages[0].file: 3: should be the path of a task file" in number
     write(changed("thickness: 0.003", "thickness: -1", slide), "sub/slide.yaml")
     assert "sub/slide.yaml:10: object.thickness: -1: should be" in fault(write(text))
 

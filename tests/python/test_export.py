@@ -199,11 +199,12 @@ def test_limits_reach_the_file(tmp_path):
 @pytest.mark.parametrize(
     ("name", "to", "words"),
     [
-        ("slide", "fbx", "to: fbx: no such format .*ros, mcap"),
+        ("slide", {}, "to: {}: should be one of ros, mcap"),
+        ("slide", "fbx", "to: fbx: should be one of ros, mcap"),
         (
             "slide",
             "mujco",
-            r"to: mujco: no such format; did you mean 'mujoco'\? \(one of: ros, mcap",
+            r"to: mujco: should be one of ros, mcap, .*; did you mean 'mujoco'\?",
         ),
         ("push", "ros", "no joints, .* fingertips: mcap, csv, mujoco, json, drake, rrd"),
     ],

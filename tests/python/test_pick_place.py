@@ -227,6 +227,14 @@ def test_degrees_and_millimetres_are_warned_of(scene, names, tmp_path, capsys, f
     assert f"place: pose.{what}" in capsys.readouterr().err
 
 
+def test_a_region_in_millimetres_is_warned_of(scene, names):
+    place = {"region": {"rectangle": {"center": [0.5, 0.2], "size": [300, 200]}}}
+    with pytest.warns(UserWarning, match=r"place: region.rectangle.size\[0\]: 300: is more than"):
+        graspless.pick(
+            scene, names["bar"], "wam_t42", strategies=["pinch"], place=place, seconds=0.1
+        )
+
+
 def test_the_same_seed_gives_the_same_plan(scene, names, placed):
     place = {"pose": {"x": 0.5, "y": 0.0, "yaw": 1.2}}
     again = graspless.pick(scene, names["bar"], "wam_t42", place=place)

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from .. import files
-from ..errors import TaskError, missing, one_of
+from .._arguments import require_choice
+from ..errors import TaskError, missing
 from ..simulation import require_mujoco
 from ..timing import time
 
@@ -143,8 +144,7 @@ def _check_ending(path: str | Path, to: str) -> None:
 
 
 def _writer(to: str) -> Format:
-    if to not in FORMATS:
-        raise TaskError(f"to: {to}: no such format{one_of(to, FORMATS)}")
+    require_choice("to", to, FORMATS)
     try:
         if to in SCENES:
             require_mujoco()

@@ -194,8 +194,6 @@ def load_scene(path: str | Path) -> Scene:
         A file is missing or not valid; names file, line, field and value.
     """
     path = Path(path)
-    if not path.is_file():
-        raise TaskError(f"{path}: {files.absence(path)}")
     source = read_yaml(path)
     fields: SceneFields = source.validate(SceneFields)
     clouds = _clouds(fields, source, path.parent)
@@ -292,7 +290,7 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
         return {}
     path = directory / fields.points
     if not path.is_file():
-        raise source.error(("points",), "no such file")
+        raise source.error(("points",), files.absence(path))
     try:
         clouds = {name: np.asarray(rows, float) for name, rows in read_arrays(path, MOST).items()}
     except Exception as error:  # numpy and zipfile raise whatever they stumble over

@@ -24,7 +24,8 @@ WIDEST = 1e6  # of an angle: rounding takes the meaning of larger ones [rad]
 LARGEST_TURN = 20.0  # of a joint: limits of real ones are a few turns [rad]
 FARTHEST, REFUSED = 100.0, 1e4  # largest coordinate that nobody doubts, and of the core [m]
 _UNITS = re.compile(r"\[((?:m|rad)(?:, (?:m|rad))*)\]")
-_BOUNDED = ("size", "radius", "box", "angle")  # the kinds of tasks have bounds of their own
+_BOUNDED = ("size", "radius", "box", "angle")  # the kinds of tasks have bounds of their own,
+_UNBOUNDED = {"obstacles", "region"}  # but not in these sections
 
 
 def warn_of_units(fields: BaseModel, source: Source, place: Location = ()) -> bool:
@@ -40,7 +41,9 @@ def warn_of_units(fields: BaseModel, source: Source, place: Location = ()) -> bo
             has_warned |= warn_of_units(value, source, inner)
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
             has_warned |= any(warn_of_units(v, source, (*inner, i)) for i, v in enumerate(value))
-        elif name not in _BOUNDED and (units := _UNITS.search(info.description or "")):
+        elif name in _BOUNDED and _UNBOUNDED.isdisjoint(place):
+            continue
+        elif units := _UNITS.search(info.description or ""):
             has_warned |= _warn_of_value(value, units[1].split(", "), inner, source)
     return has_warned
 

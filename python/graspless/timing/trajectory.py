@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import frames
+from .._arguments import require_type
 from ..errors import TaskError, shown
 from ..kinds import stages_of
 from .rates import Rate
@@ -103,6 +104,7 @@ class Trajectory:
         TaskError
             No joints move, or the robot has no such group; names those that it has.
         """
+        require_type("group", group, str)
         robot = robot_of(self.plan)
         if not self.joint_names or robot is None:
             raise TaskError(f"group: {shown(group)}: the plan moves no joints")

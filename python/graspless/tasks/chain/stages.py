@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ...errors import TaskError, suggestion
+from ...files import absence
 from ...kinds import KINDS, part
 from ..reading import read_yaml
 from ..source import Source
@@ -96,9 +97,12 @@ def _merged(source: Source, index: int, directory: Path) -> StageSource:
 
 
 def _read(name: Any, source: Source, place: Location, directory: Path) -> Source:
-    if not isinstance(name, str) or not (directory / name).is_file():
-        raise source.error((*place, "file"), "no such file")
-    return read_yaml((directory / name).resolve())
+    field = (*place, "file")
+    if not isinstance(name, str):
+        raise source.error(field, "should be the path of a task file")
+    if not (path := directory / name).is_file():
+        raise source.error(field, absence(path))
+    return read_yaml(path.resolve())
 
 
 def _kind(stage: StageSource) -> str:
