@@ -389,8 +389,9 @@ void bind_plan(py::module_& m) {
   field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
   field(
       Field{"max_mass", &Plan::max_mass,
-            "Largest mass that the fingers bear when they lift the object [kg]; None if the effort "
-            "limit of a joint that must is unknown, or with an end."});
+            "Largest mass that the fingers bear when they lift the object [kg]. None for a problem "
+            "with an end, and if a joint that must bear it has no effort limit, or one that is a "
+            "placeholder: a finger would press with more than 500 N."});
   field(
       Field{"overhang", &Plan::overhang,
             "Length of the object beyond the edge at the goal [m]; 0 for a problem with an end."});

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pinch/check_contacts.hpp"
+#include "robot/rates.hpp"
 #include "text.hpp"
 
 namespace graspless::pinch {
@@ -74,11 +75,7 @@ std::optional<double> finger_force(const Problem& problem, const Plan& plan,
   for (const int side : {0, 1}) {
     const Vector3d inward = side == 0 ? across : Vector3d(-across);
     const int link = foremost(problem, X_WL, inward, (side == 1) == is_second).link;
-    const Vector3d arm = p_W.col(side) - X_WL[static_cast<std::size_t>(link)].translation();
-    Eigen::Matrix<double, 6, Eigen::Dynamic> J;
-    robot.jacobian(link, X_WL, J);
-    closing += inward.transpose() * J.topRows<3>();
-    closing += arm.cross(inward).transpose() * J.bottomRows<3>();  // inward . (w x arm)
+    closing += robot::rates(robot, link, X_WL, p_W.col(side), inward);
   }
   for (const int joint : robot.group(problem.hand.arm)) closing[joint] = 0;
   double least = std::numeric_limits<double>::infinity();

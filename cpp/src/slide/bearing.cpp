@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "robot/rates.hpp"
 #include "slide/friction/pressed.hpp"
 
 namespace graspless::slide {
@@ -51,20 +52,14 @@ class Finger {
       : robot_(robot), X_WL_(X_WL), palm_(palm), links_(std::move(links)) {}
 
   /// Rate of the point at `z` in a direction of W, per unit of each joint [m/rad or 1].
-  Eigen::VectorXd rates(double z, const Vector3d& direction_W) const {
+  Eigen::RowVectorXd rates(double z, const Vector3d& direction_W) const {
     const Vector3d p_W = pose(palm_) * Vector3d(0, 0, z);
-    return rates(link_at(z), p_W, direction_W) - rates(palm_, p_W, direction_W);
+    return robot::rates(robot_, link_at(z), X_WL_, p_W, direction_W) -
+           robot::rates(robot_, palm_, X_WL_, p_W, direction_W);
   }
 
  private:
   const Isometry3d& pose(int link) const { return X_WL_[static_cast<std::size_t>(link)]; }
-  Eigen::VectorXd rates(int link, const Vector3d& p_W, const Vector3d& direction_W) const {
-    Eigen::Matrix<double, 6, Eigen::Dynamic> J;
-    robot_.jacobian(link, X_WL_, J);
-    const Vector3d arm = p_W - pose(link).translation();
-    return J.topRows<3>().transpose() * direction_W +
-           J.bottomRows<3>().transpose() * arm.cross(direction_W);
-  }
   /// The last link that begins behind z.
   int link_at(double z) const {
     const auto begin = [&](int link) {
@@ -117,7 +112,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
   const Vector3d y = X_WH.linear().col(1), up = y.z() < 0 ? Vector3d(-y) : y;
   const double ratio = std::max(held.lever / held.depth,  // N_upper / W
                                 held.offset / problem.hand.pad_width - 0.5);
-  const Eigen::VectorXd opening =  // torques of a weight of 1 N
+  const Eigen::RowVectorXd opening =  // torques of a weight of 1 N
       ratio * upper.rates(-held.depth, up) - (1 + ratio) * lower.rates(0, up);
   double most = kStrongest / (1 + ratio);  // weight [N]
   bool is_known = false;

@@ -930,7 +930,7 @@ class Plan:
     @property
     def max_mass(self) -> float | None:
         """
-        Largest mass that the fingers bear when they lift the object [kg]; None if the effort limit of a joint that must is unknown, or with an end.
+        Largest mass that the fingers bear when they lift the object [kg]. None for a problem with an end, and if a joint that must bear it has no effort limit, or one that is a placeholder: a finger would press with more than 500 N.
         """
     @max_mass.setter
     def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:

@@ -88,8 +88,9 @@ struct Plan {
   Eigen::Isometry3d X_WO_goal = Eigen::Isometry3d::Identity();   ///< kappa_g
   Eigen::Isometry3d X_WH_grasp = Eigen::Isometry3d::Identity();  ///< H_g; means nothing with an end
   double overhang = 0;                                           ///< u at the goal [m]; as above
-  /// Largest mass that the fingers bear when they lift the object [kg]; none if the effort limit of
-  /// a joint that must is unknown, or with an end.
+  /// Largest mass that the fingers bear when they lift the object [kg]. None for a problem with an
+  /// end, and if a joint that must bear it has no effort limit, or one that is a placeholder: a
+  /// finger would press with more than 500 N.
   std::optional<double> max_mass;
   Tube tube;                          ///< of the slide; a plan without values claims no bounds
   std::vector<std::string> warnings;  ///< risks that the plan carries, one sentence each

@@ -17,6 +17,7 @@
 #include "clasp/free_space/link_spheres.hpp"
 #include "clasp/hand/palm.hpp"
 #include "clasp/stability/load.hpp"
+#include "robot/rates.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -219,11 +220,7 @@ double PinchTester::press(const std::array<std::vector<Touch>, 2>& touches,
   for (std::size_t k = 0; k < 2; ++k) {
     const int link = sides_[k].back().link;
     const Touch touch = mean_beyond(touches[k], Vector3d::Zero(), 0);
-    const Vector3d arm = touch.p_W - X_WL[static_cast<std::size_t>(link)].translation();
-    mechanics::Matrix6Xd J;
-    problem_.robot.jacobian(link, X_WL, J);
-    closing += touch.n_W.transpose() * J.topRows<3>();
-    closing += arm.cross(touch.n_W).transpose() * J.bottomRows<3>();  // n . (w x arm)
+    closing += robot::rates(problem_.robot, link, X_WL, touch.p_W, touch.n_W);
   }
   double least = std::numeric_limits<double>::infinity();
   for (const int joint : problem_.robot.group(problem_.hand.hand)) {
