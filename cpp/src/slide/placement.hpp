@@ -32,7 +32,8 @@ struct Placement {
   std::string fault = "overhang";  ///< what is wrong if the overhang is too small
 };
 
-Placement placement(const Problem& problem, const Options& options, const Planar& object_S);
+GRASPLESS_API Placement placement(const Problem& problem, const Options& options,
+                                  const Planar& object_S);
 
 /// Least distance of the contact from the object's outline at the start of a slide [m]:
 /// options.rim_margin, at most half of the largest that the object allows. Minus infinity for 0.
@@ -63,8 +64,8 @@ GRASPLESS_API bool is_supported(const Problem& problem, const Planar& object_S, 
 /// H_g: perpendicular to the edge in the plane of Q, with the finger plane vertical, half the
 /// object's height there above the support at the centre of P_out, moved outwards by `back` [m].
 /// `roll` 0 or 1 chooses which finger is on top.
-Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement, int roll,
-                             double back = 0);
+GRASPLESS_API Eigen::Isometry3d grasp_pose(const Problem& problem, const Placement& placement,
+                                           int roll, double back = 0);
 
 /// Indices of the support's edges over which objects may stick out, in proportion to their length.
 GRASPLESS_API std::discrete_distribution<int> usable_edges(const Support& support);

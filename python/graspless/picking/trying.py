@@ -138,8 +138,8 @@ def _plan(
 ) -> tuple[Plan, str, list[str]]:
     """Plans a strategy in its ways, until a plan fits the measured heights and passes its check.
 
-    Returns a plan, what speaks against it, and its faults: without a plan that holds, those of the
-    last way before the object was in the way of the hand.
+    Returns a plan, what speaks against it, and its faults. If no plan holds, they are those of the
+    last way that had a plan, or of the last way, before the object was in the way of the hand.
     """
     began = time.monotonic()
     kept: tuple[Plan, str, list[str]] | None = None
@@ -165,10 +165,13 @@ def _plan(
                 break
         if doubted and target is not None:  # what came farthest says most
             plan, doubted = max(tried, key=lambda one: len(one[0].stages))
+        if not plan:  # a plan of an earlier seed says more
+            plan, doubted = next((one for one in reversed(tried) if one[0]), (plan, doubted))
         if plan and not doubted:
             faults = check(plan)
         holds = plan and not doubted and not faults
-        if holds or not has_no_room:
+        says_more = kept is None or bool(plan) or not kept[0]
+        if holds or (says_more and not has_no_room):
             kept = plan, doubted, faults
         if holds:
             break

@@ -6,6 +6,7 @@
 
 #include "graspless/robot/ik.hpp"
 
+#include "slide/placement.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -394,6 +395,43 @@ TEST_F(Check, TheOtherFingerModel) {
   problem_.hand.finger_model = FingerModel::impedance;
   problem_.hand.wrist_stiffness = 400;
   expect_fault("does not follow the contact");
+}
+
+/// A hook over an edge, whose parts the rows of its points meet one by one.
+TEST_F(Check, AgreesWithTheSearchOnWhatSticksOut) {
+  const auto hook = columns({{-.08, -.08},
+                             {.12, -.08},
+                             {.12, .07},
+                             {.02, .07},
+                             {.02, -.05},
+                             {-.03, -.05},
+                             {-.03, -.02},
+                             {-.05, -.02},
+                             {-.05, .07},
+                             {-.08, .07},
+                             {-.08, -.03},
+                             {-.05, -.03},
+                             {-.05, -.05},
+                             {-.08, -.05}});
+  problem_.object = Object::from_polygon("hook", geometry::Polygon(hook), .005);
+  Options options;
+  options.deep_grasp = false;
+  const geometry::Polygon::Edge edge = problem_.support.polygon().edge(0);
+  const double inwards = std::atan2(edge.inward.y(), edge.inward.x());
+  std::mt19937_64 rng(1);
+  std::uniform_real_distribution<double> in(-.03, .03), yaw(inwards - .3, inwards + .3);
+  for (int k = 0; k < 100; ++k) {
+    Planar object_S(Eigen::Rotation2Dd(yaw(rng)));
+    object_S.translation() = (edge.a + edge.b) / 2 + in(rng)*edge.inward;
+    const Placement place = placement(problem_, options, object_S);
+    plan_.X_WO_goal = problem_.support.X_WS() * spatial(object_S);
+    plan_.X_WH_grasp = grasp_pose(problem_, place, 0);
+    plan_.overhang = place.overhang;
+    for (const std::string& fault : check(problem_, plan_, options)) {
+      EXPECT_EQ(fault.find("grasp: the hand"), std::string::npos) << k << ": " << fault;
+      EXPECT_EQ(fault.find("the overhang is"), std::string::npos) << k << ": " << fault;
+    }
+  }
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ Points largest_group(const Points& points, double distance) {
     poll();
     for (std::size_t j = 0; j < i; ++j) {
       if (label[i] == label[j] || (points[i] - points[j]).norm() > distance) continue;
-      std::replace(label.begin(), label.end(), std::max(label[i], label[j]),
-                   std::min(label[i], label[j]));
+      const auto [kept, merged] = std::minmax({label[i], label[j]});  // copies: both change
+      std::replace(label.begin(), label.end(), merged, kept);
     }
   }
   std::vector<std::size_t> size(points.size(), 0);
