@@ -225,9 +225,12 @@ def plan_certified(
         plan = plan_since(task.with_changes(seed=seed), began, part)
         if best is None and not plan:
             return plan
-        doubts = checked(plan, with_certificate=True)[0] if plan else []
-        if plan and len(doubts) < fewest:
-            best, fewest = plan, len(doubts)
+        if not plan:
+            continue
+        doubts, edges = checked(plan, with_certificate=True)
+        number = math.inf if edges is None else len(doubts)  # faults are worse than doubts
+        if best is None or number < fewest:
+            best, fewest = plan, number
         if all(doubt.endswith(NO_JOINTS) for doubt in doubts):  # no other seed is proven better
             break
     return best

@@ -161,7 +161,7 @@ class Plan(AnyPlan, _core.Plan):
             f"{segment.name}: row {row}: {what}"
             for segment in self.segments
             for row, X in enumerate(segment.object_poses)
-            if np.abs(X - X_WO).max() > 1e-9
+            if not np.abs(X - X_WO).max() <= 1e-9
         ]
 
 

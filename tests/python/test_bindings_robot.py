@@ -130,6 +130,26 @@ def test_ik_of_six_joints_has_no_free_joint():
         short.solve_free(X_WF, 0, q)
 
 
+def test_a_link_off_the_path_that_mimics_a_joint_loses_no_solution():
+    path = builtin("kr5_t42").with_suffix(".urdf")
+    rod = (
+        '<link name="rod"/><joint name="rod" type="revolute"><parent link="base_link"/>'
+        '<child link="rod"/><axis xyz="0 0 1"/><mimic joint="{}"/>'
+        '<limit lower="-9" upper="9" velocity="1" effort="1"/></joint></robot>'
+    )
+    plain = Robot.from_urdf_file(str(path))
+    base = plain.frame_names[0]
+    rng = np.random.default_rng(4)
+    for joint in range(6):
+        text = rod.format(plain.joint_names[joint]).replace("base_link", base)
+        mimicked = Robot.from_urdf(path.read_text().replace("</robot>", text))
+        own, other = (Ik(each, "left_fingertip", plain.group("arm")) for each in (plain, mimicked))
+        for _ in range(10):
+            q = rng.uniform(plain.lower, plain.upper)
+            X_WF = plain.pose("left_fingertip", q)
+            np.testing.assert_allclose(other.solve_all(X_WF, q), own.solve_all(X_WF, q), atol=1e-9)
+
+
 def test_world_by_name_or_index():
     world = World()
     a, b = world.add_body("a", CUBE), world.add_body("b", [PlacedShape(Sphere(0.1))])

@@ -242,6 +242,10 @@ def test_yaws_of_a_lattice_may_go_round_more_than_once():
     plan = fingertip.plan(problem, options)
     assert plan.status == "solved"
     assert fingertip.check(problem, plan, options) == []
+    problem = lattice(-7.0, 1.0, 17, turn=0.5)  # more than a whole turn above its lowest yaw
+    plan = fingertip.plan(problem, options)
+    assert plan.status == "solved"
+    assert fingertip.check(problem, plan, options) == []
 
 
 def test_only_plans_that_turn_the_object_warn_of_it():

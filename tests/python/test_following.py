@@ -401,6 +401,28 @@ def test_what_cannot_be_followed_is_refused(plan):
     other = graspless.plan(_data.directory("examples") / "06_push_block.yaml")
     with pytest.raises(TaskError, match="fingertip: only slide plans can be followed"):
         Follower(other)
+    way = next(segment for segment in plan.segments if segment.name == "slide")
+    anew = slide.restart(plan, way.positions[len(way) // 2], way.object_poses[len(way) // 2])
+    assert anew, anew.reason
+    with pytest.raises(TaskError, match="plan: a restart cannot be followed"):
+        Follower(anew)
+
+
+def test_the_rest_of_a_slide_is_followed_from_where_the_object_is(plan):
+    way = next(segment for segment in plan.segments if segment.name == "slide")
+    k = len(way) // 2
+    rest = slide.resume(plan, way.positions[k], way.object_poses[k])
+    assert rest, rest.reason
+    follower = Follower(rest, PATIENT)
+    expected = follower._hand.place(way.object_poses[k])
+    np.testing.assert_allclose(follower.estimate.mean[:3], expected, atol=1e-6)
+
+
+def test_a_search_that_later_poses_make_needless_does_not_keep_it_waiting(plan):
+    world = World(plan)
+    world.run(until=lambda target: target.status == "looking")
+    world.follower._replanner.is_searching = True  # for a pose that was farther away
+    assert world.run().status == "done"
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import pytest
 
 import graspless
 import inspect_common as small
-from graspless import _data, pinch, robot
+from graspless import _data, frames, pinch, robot
 from graspless.errors import TaskError
 from graspless.tasks import task_from_dict
 from graspless.tasks.grip import ends_of_curves, weakest_joint
@@ -71,6 +71,12 @@ def test_an_edited_plan_is_at_fault(plan):
     assert any("contact" in fault for fault in graspless.check(edited))
 
 
+def test_contacts_beside_the_hand_are_a_fault(plan):
+    moved = copy.copy(plan)
+    moved.contacts_O = np.asarray(plan.contacts_O) + [0.03, 0, 0]  # along both faces
+    assert "close: a contact is beside the pads" in graspless.check(moved)
+
+
 def test_the_edges_are_certified(plan):
     assert graspless.check(plan, certify=True) == []
 
@@ -96,6 +102,20 @@ def test_a_problem_made_in_python_is_planned(plan):
     assert again.kind == "pinch"
     assert np.array_equal(again.segments[-1].positions, plan.segments[-1].positions)
     assert graspless.check(pickled(again)) == []
+
+
+def test_an_object_that_is_tilted_a_little_is_pinched(plan):
+    given = plan.task.problem
+    for axis in (0, 1):
+        tilt = [0.0, 0.0, 0.0]
+        tilt[axis] = 0.005
+        X_WO = np.array(given.X_WO_start) @ frames.from_rpy(tilt)
+        problem = pinch.Problem(
+            given.robot, given.hand, given.object, given.support, X_WO, given.q_home
+        )
+        tilted = graspless.plan(problem, seed=1)
+        assert tilted, tilted.reason
+        assert graspless.check(tilted) == []
 
 
 def pickled(value):

@@ -52,6 +52,7 @@ def test_goes_on_from_an_undisturbed_state(plan, fraction):
     assert [s.name for s in rest.segments] == ["slide", "lift", "reach", "grasp", "close"]
     np.testing.assert_array_equal(rest.segments[0].positions[0], q)
     np.testing.assert_allclose(rest.segments[0].object_poses[0], X_WO, atol=1e-9)
+    np.testing.assert_allclose(rest.X_WO_goal, plan.X_WO_goal, atol=1e-6)
 
 
 def test_goes_on_from_a_disturbed_state(plan, rest):

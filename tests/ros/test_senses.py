@@ -72,6 +72,17 @@ def test_frames_are_interpolated_and_never_extrapolated():
             transforms.lookup("w", "b", t)
 
 
+def test_frames_above_the_common_one_need_not_be_known():
+    transforms = Transforms()
+    transforms.hear(moved("base", "odom", np.eye(4), 1.0), False)
+    for child in ("camera", "arm"):
+        transforms.hear(moved(child, "base", frames.translation([0, 0, 0.5])), True)
+    np.testing.assert_allclose(transforms.lookup("arm", "camera", 7.0), np.eye(4))
+    np.testing.assert_allclose(transforms.lookup("base", "camera", 7.0)[2, 3], 0.5)
+    with pytest.raises(RefusedError, match="newer than what tf knows of 'base'"):
+        transforms.lookup("odom", "camera", 7.0)
+
+
 def test_frames_that_are_none():
     transforms = Transforms()
     bad = moved("a", "w", np.eye(4))

@@ -81,7 +81,8 @@ std::optional<Path> PlaceSearch::follow(const VectorXd& q, const std::vector<Iso
 bool PlaceSearch::is_level(const VectorXd& q) const {
   const Vector3d up = object_at(q).linear() * up_O_;
   const Vector3d before = problem_.object.X_WB.linear() * up_O_;
-  return std::max(up.dot(before), up.dot(places_.normal_W)) >= std::cos(options_.max_tilt);
+  return std::max(up.dot(before), up.dot(places_.normal_W)) >=
+         std::cos(std::min(options_.max_tilt, M_PI));
 }
 
 bool PlaceSearch::is_level(const VectorXd& from, const VectorXd& to) const {

@@ -113,7 +113,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
       searches.push_back(std::make_unique<LoopSearch>(query, task, q_init));
     }
   }
-  if (is_free && searches.empty() && !problem.hand.pre_shapes.empty()) {
+  if (is_free && searches.empty()) {
     variants.add_to(searches, query, plan);
     if (!searches.empty()) plan.reason.clear();
   }

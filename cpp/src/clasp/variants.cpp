@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clasp/variants.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "clasp/search/loop_search.hpp"
+#include "clasp/search/targets.hpp"
 #include "clasp/search/thread_search.hpp"
+#include "clasp/stability/load.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -42,6 +45,13 @@ void Variants::add_to(std::vector<std::unique_ptr<ClaspSearch>>& searches, Query
   for (const int loop : allowed_loops(all.problem)) {
     if (is_small(all.problem, loop, all.width)) small.loops.push_back(loop);
   }
+  const auto is_elsewhere = [&](const Eigen::Vector3d& mark) {
+    const int loop = marked_loop(all.problem, mark);
+    return std::find(small.loops.begin(), small.loops.end(), loop) == small.loops.end();
+  };
+  auto& marks = small.marks;
+  marks.erase(std::remove_if(marks.begin(), marks.end(), is_elsewhere), marks.end());
+  if (marks.size() < all.problem.marks.size() && marks.empty()) small.loops.clear();
   for (const std::string& pre_shape : pre_shapes) {
     for (const std::vector<std::string>& fingers : finger_runs(hand)) {
       const bool is_whole = fingers.size() == hand.fingers.size();
@@ -61,10 +71,12 @@ void Variants::add(const Problem& problem, const std::vector<std::string>& finge
   const bool may_thread = fingers.size() == 1;
   if (!is_new && !may_thread) return;
   const Grip& grip = grips_.emplace_back(problem, all.options, fingers, pre_shape);
+  const bool is_whole = fingers.size() == hand.fingers.size();
+  if (!is_whole && missing_effort(grip.problem, all.options.stability)) return;
   Query& query = queries_.emplace_back(grip.problem, grip.options, all.clock, all.rng(), all.width);
   const auto open = opened(query);
   if (!open && pre_shape != hand.open) {
-    if (fingers.size() == hand.fingers.size())
+    if (is_whole)
       plan.warnings.push_back("pre-shape '" + pre_shape +
                               "' was not tried: the hand cannot move to it from the start without "
                               "collision");

@@ -18,7 +18,8 @@ constexpr double kLargestDepth = 15;  // of a median [m]
 constexpr double kLeastShare = 0.05;  // of the pixels that have a depth
 constexpr double kUsualTilt = 0.05;   // [rad]
 constexpr double kNoisy = 2;          // times the expected noise
-constexpr double kSlab = 0.06;        // sides of a support are this high at most [m]
+constexpr double kSlab = 0.06;        // sides of a support are this high at most [m],
+constexpr double kBeside = 0.03;      // and seen this far beside it
 
 template <class... Parts>
 std::string say(const Parts&... parts) {
@@ -106,8 +107,8 @@ class Builder {
       }
       areas_.push_back(region.area);
       scene_.supports.push_back(std::move(support));
+      claim_support(region, sightings);
     }
-    claim_support(sightings);
   }
 
   Scene finish() {
@@ -155,14 +156,25 @@ class Builder {
     }
   }
 
-  /// Lower supports must not take this one, or its sides, for an object.
-  void claim_support(const std::vector<Sighting>& sightings) {
+  /// Lower supports must not take this one, or its sides, for an object. What lies elsewhere in its
+  /// plane, or a little below that, may be one.
+  void claim_support(const Region& region, const std::vector<Sighting>& sightings) {
+    Raster near = region.inside;
+    grow(near, static_cast<int>(std::ceil(kBeside / near.cell)));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
+      poll();
+      const Sight& sight = *sightings[i].sight;
       const Heights& heights = sightings[i].heights;
-      for (Eigen::Index k = 0; k < heights.level.size(); ++k) {
-        const bool is_side = heights.level.data()[k] == Level::below &&
-                             heights.height.data()[k] > -static_cast<float>(kSlab);
-        if (heights.level.data()[k] == Level::level || is_side) claims_[i].data()[k] = true;
+      const Rays rays(sightings[i], region.X_WS);
+      for (int v = 0; v < sight.height(); ++v) {
+        for (int u = 0; u < sight.width(); ++u) {
+          const bool is_side = heights.level(v, u) == Level::below &&
+                               heights.height(v, u) > -static_cast<float>(kSlab);
+          if (heights.level(v, u) != Level::level && !is_side) continue;
+          const auto z = static_cast<double>(sight.depth(v, u));
+          const Eigen::Vector3d p = rays.at_depth(u, v, z);
+          if (near.at(near.column(p.x()), near.row(p.y()))) claims_[i](v, u) = true;
+        }
       }
     }
   }

@@ -164,6 +164,11 @@ void close_gaps(Raster& mask) {
   spread(0);
 }
 
+void grow(Raster& mask, int steps) {
+  const std::vector<int> outside = steps_from(mask, true);
+  for (std::size_t i = 0; i < outside.size(); ++i) mask.values[i] = outside[i] <= steps;
+}
+
 void vote(Raster& mask) {
   constexpr int kHalf = 2, kMajority = 13;
   std::vector<int> sums(mask.values.size(), 0);  // of five cells in a row

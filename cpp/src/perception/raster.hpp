@@ -52,6 +52,8 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal);
 void fill_holes(Raster& mask);
 /// Sets cells between cells of the mask: grows it by one cell and shrinks it again.
 void close_gaps(Raster& mask);
+/// Sets the cells that are at most `steps` cells from those of the mask, along rows and columns.
+void grow(Raster& mask, int steps);
 /// Sets every cell to what most of the 5 x 5 cells around it are.
 void vote(Raster& mask);
 /// Clears strips of the mask that are at most about 2 `half` cells wide, but for stubs as long.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kSectors = 8;           // wedges behind an object, at most
 constexpr double kLeastWidth = 0.01;  // of a wedge, in front [m]
+constexpr double kWidest = 0.8;       // angle of a wedge [rad]
 constexpr double kShortest = 0.005;   // shadow [m]
 constexpr double kLowest = 0.003;     // shadow [m]
 constexpr double kLeastPatch = 4e-4;  // area of a patch without depth [m^2]
@@ -54,8 +55,9 @@ class Shade {
   void add_to(std::vector<geometry::Convex>& shapes) {
     if (pixels_.empty()) return;
     span();
+    const double turn = last_ - first_, wide = turn * nearest_ / kLeastWidth;
     const auto count = static_cast<std::size_t>(
-        std::clamp(static_cast<int>((last_ - first_) * nearest_ / kLeastWidth), 1, kSectors));
+        std::clamp(static_cast<int>(std::max(wide, std::ceil(turn / kWidest))), 1, kSectors));
     std::vector<Sector> sectors(count);
     const double width = (last_ - first_) / static_cast<double>(count);
     for (const Pixel* p : pixels_) {
@@ -167,13 +169,17 @@ std::vector<geometry::Convex> patches(const Region& region, const Options& optio
   for (int y = 0; y < unknown.ny; ++y) {
     for (int x = 0; x < unknown.nx; ++x) {
       const int label = pieces.label[unknown.index(x, y)];
-      if (label >= 0) boxes[static_cast<std::size_t>(label)].extend(unknown.center(x, y));
+      if (label < 0) continue;
+      const Eigen::Array2d half = Eigen::Array2d::Constant(unknown.cell / 2);
+      const Eigen::Array2d middle = unknown.center(x, y).array();
+      boxes[static_cast<std::size_t>(label)].extend((middle - half).matrix());
+      boxes[static_cast<std::size_t>(label)].extend((middle + half).matrix());
     }
   }
   std::vector<geometry::Convex> shapes;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const double area = static_cast<double>(pieces.size[k]) * unknown.cell * unknown.cell;
-    if (area < kLeastPatch || boxes[k].sizes().minCoeff() < 4 * unknown.cell) continue;
+    if (area < kLeastPatch || boxes[k].sizes().minCoeff() < 5 * unknown.cell) continue;
     Eigen::Matrix3Xd corners(3, 8);
     for (int i = 0; i < 8; ++i) {
       const auto corner = boxes[k].corner(static_cast<Eigen::AlignedBox2d::CornerType>(i % 4));

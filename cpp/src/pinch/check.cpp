@@ -220,6 +220,7 @@ class Examination {
       fault("close", "the fingers end " + figure(gap) + " m apart, the contacts are " +
                          figure(width) + " m apart");
     }
+    check_hand_at_contacts(q, uneven + kUnevenEnd);
     const double support = n.dot(problem_.support.X_WS().translation());
     const auto up = interval(q, n, true), other_up = interval(q, n, false);
     const double low = std::min(up.first, other_up.first) - support;
@@ -229,9 +230,30 @@ class Examination {
     for (const auto& [first, last] : {up, other_up}) {
       if (level < first || level > last) fault("close", "a finger ends beside its contact");
     }
-    const Vector3d across = problem_.X_WO_start.linear() * (contact(1) - contact(0)) / width;
-    if (std::abs(across.dot(y)) < 1 - kSame)
+    Vector3d across = problem_.X_WO_start.linear() * (contact(1) - contact(0));
+    across -= n * n.dot(across);  // an object may be tilted a little
+    if (!(std::abs(across.normalized().dot(y)) >= 1 - kSame))
       fault("plan", "the fingers do not close along the line of contacts");
+  }
+
+  /// The contacts are between the fingers, across the width of the pads.
+  void check_hand_at_contacts(const VectorXd& q, double uneven) {
+    const Isometry3d X_WH = hand_at(q);
+    const Vector3d y = X_WH.linear().col(1);
+    auto low = interval(q, y, true), high = interval(q, y, false);
+    if (low.first + low.second > high.first + high.second) std::swap(low, high);
+    std::pair<double, double> apart{1e9, -1e9};
+    for (const int i : {0, 1}) {
+      const Vector3d p_W = problem_.X_WO_start * contact(i);
+      if (!(std::abs((X_WH.inverse() * p_W).x()) <= problem_.hand.pad_width / 2 + kUnevenEnd))
+        fault("close", "a contact is beside the pads");
+      apart.first = std::min(apart.first, y.dot(p_W));
+      apart.second = std::max(apart.second, y.dot(p_W));
+    }
+    if (!(std::abs(low.second - apart.first) <= uneven) ||
+        !(std::abs(high.first - apart.second) <= uneven)) {
+      fault("close", "a finger ends elsewhere than its contact");
+    }
   }
 
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }

@@ -177,7 +177,9 @@ int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
     if (project_ && !project_(next)) break;
     const double now_left = si_->distance(next, target);
     constexpr double kProgress = 1e-3;  // a projection may undo all progress of a step
-    if (now_left > left - kProgress * range_ || si_->distance(current, next) > 2 * range_) break;
+    constexpr double kReached = 1e-12;  // the target may be nearer than that
+    const double most_left = std::max(kReached, left - kProgress * range_);
+    if (now_left > most_left || si_->distance(current, next) > 2 * range_) break;
     if (!is_motion_valid(start, current, next)) break;
     last = forest.add(next, last);
     left = now_left;

@@ -154,9 +154,9 @@ struct Ik::Impl {
         X_PW(robot.pose(path.base, VectorXd::Zero(robot.dof())).inverse()),
         X_FE(pose_after(VectorXd::Zero(robot.dof())).inverse()) {}
 
-  /// The free joint of the closed form keeps its given value.
+  /// Angles of the closed form are those of any turn. Its free joint keeps the given value.
   std::vector<bool> wrapped() const {
-    std::vector<bool> wrapped = turns;
+    std::vector<bool> wrapped = closed_form ? std::vector<bool>(turns.size(), true) : turns;
     if (has_free_joint()) wrapped[closed_form->free_joint()] = false;
     return wrapped;
   }

@@ -30,8 +30,8 @@ class GRASPLESS_API Arm {
     upper_ = part(problem.robot.upper());
     weights_ = part(problem.robot.step_weights());
     const Eigen::VectorXd home = part(problem.q_home);
-    q_closed_ = problem.robot.state(problem.hand.closed, problem.q_home);
     write(home, q_open_);
+    q_closed_ = problem.robot.state(problem.hand.closed, q_open_);
     write(home, q_closed_);
   }
 

@@ -184,7 +184,7 @@ std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from,
     if (left <= options_.range) next = to;
     if (!project(next)) return std::nullopt;
     const double now_left = (to - next).norm();
-    if (now_left > left - 1e-3 * options_.range ||
+    if (now_left > std::max(1e-12, left - 1e-3 * options_.range) ||
         !is_motion_valid(path.back(), next, carried, options_.resolution)) {
       return std::nullopt;
     }

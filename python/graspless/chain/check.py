@@ -11,7 +11,8 @@ import numpy as np
 from .. import frames
 from ..errors import TaskError
 from ..tasks.chain import ON_SUPPORT, start_at
-from .state import begins, corners, ends, join
+from ..tasks.chain.lying import SAME, convex_hull
+from .state import begins, ends, join
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -93,11 +94,11 @@ def _continuity(earlier: Sequence[Any], stage: Any) -> list[str]:
             carrier = stage.task.arm or stage.task.problem
             gap = _largest(apart, carrier.robot)
             faults.append(f"a joint starts {gap} from where the stage before it ended")
-    if before.kind == "fingertip" and stage.kind in ON_SUPPORT:
-        off = _uncovered(state.corners, corners(stage, X_WO))  # each has a frame of its own
+    if state.corners is not None and stage.kind in ON_SUPPORT:  # each has a frame of its own
+        off, same = _uncovered(state.corners, stage.task.problem, X_WO), SAME
     else:
-        off = _apart(X_WO, state.X_WO)
-    if off > SAME_POSE:
+        off, same = _apart(X_WO, state.X_WO), SAME_POSE
+    if off > same:
         faults.append(f"the object starts {off:.3g} m or rad from where the stage before it ended")
     return faults
 
@@ -108,10 +109,18 @@ def _largest(apart: Matrix, robot: Robot) -> str:
     return f"{apart[joint]:.3g} {'m' if robot.step_weights[joint] > 1 else 'rad'}"
 
 
-def _uncovered(p_W: Any, q_W: Any) -> float:
-    """Returns the Hausdorff distance of two point sets [m]."""
-    apart = np.linalg.norm(p_W[:, None] - q_W[None], axis=2)
-    return float(max(apart.min(axis=0).max(), apart.min(axis=1).max()))
+def _uncovered(corners_W: Matrix, problem: Any, X_WO: Matrix) -> float:
+    """Returns the distance of corners from those of a prism on its support [m].
+
+    It is the larger of the Hausdorff distance, seen from above, and the differences in height.
+    """
+    X_SW = np.linalg.inv(problem.support.X_WS)
+    p_S, X_SO = corners_W @ X_SW[:3, :3].T + X_SW[:3, 3], X_SW @ X_WO
+    ring, thickness = np.asarray(problem.object.outline.vertices), problem.object.thickness
+    p, q = convex_hull(p_S[:, :2]), convex_hull(ring @ X_SO[:2, :2].T + X_SO[:2, 3])
+    apart = np.linalg.norm(p[:, None] - q[None], axis=2)
+    heights = np.abs(p_S[:, 2].min() - X_SO[2, 3]), np.abs(np.ptp(p_S[:, 2]) - thickness)
+    return float(max(apart.min(axis=0).max(), apart.min(axis=1).max(), *heights))
 
 
 def _apart(X_A: Matrix, X_B: Matrix) -> float:

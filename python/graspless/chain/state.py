@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import carry, clasp, frames
 from ..errors import TaskError
-from ..tasks.chain import HOLDING, ON_SUPPORT, Held, State
+from ..tasks.chain import HOLDING, Held, State
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,23 +29,10 @@ def ends(plans: Sequence[Any]) -> State:
     """Returns the state at the end of the last of some solved plans, one after the other."""
     plan = plans[-1]
     q, X_WO = _moment(plan, first=False)
-    moved = corners(plan, X_WO) if plan.kind == "fingertip" else None
-    return State(X_WO, q, _held(plans), moved)
-
-
-def corners(plan: Any, X_WO: Matrix) -> Matrix | None:
-    """[N, 3] of the object's convex hull in the world; None of a cloud, whose points say less."""
-    thing = plan.task.problem.object
-    if plan.kind == "fingertip":
-        p_O = np.array(thing.hull)
-    elif plan.kind in ON_SUPPORT:
-        ring = np.array(thing.outline.vertices)
-        heights = (0.0, float(thing.thickness))
-        p_O = np.concatenate([np.column_stack([ring, np.full(len(ring), z)]) for z in heights])
-    else:
-        return None
-    p_W: Matrix = p_O @ X_WO[:3, :3].T + X_WO[:3, 3]
-    return p_W
+    if plan.kind != "fingertip":
+        return State(X_WO, q, _held(plans))
+    thing, (R, p) = plan.task.problem.object, (X_WO[:3, :3], X_WO[:3, 3])
+    return State(X_WO, q, _held(plans), np.array(thing.hull) @ R.T + p, R @ thing.com + p)
 
 
 def join(plans: Sequence[Any]) -> dict[str, Any]:

@@ -79,6 +79,8 @@ class Follower(Pursuit):
         problem = found.task.problem
         if problem.X_WO_end is not None:
             raise TaskError("plan: a slide that leaves the object at an `end` cannot be followed")
+        if found.segments[0].name == RETREAT:
+            raise TaskError("plan: a restart cannot be followed: a Follower restarts by itself")
         chosen = Settings() if settings is None else settings
         if not isinstance(chosen, Settings):
             raise TaskError(f"settings: {shown(chosen)}: should be following.Settings")
@@ -174,6 +176,8 @@ class Follower(Pursuit):
             self._stop(without_pose(f"in {s.look_seconds:g} s", self._camera.refused))
         elif self._course.name == RETREAT or self._deviation.is_large(s):
             self._plan_anew()
+        else:  # a search may be under way, for a pose of which later ones differ
+            self._replanner.forget()
         self._is_looking = self._replanner.is_searching
         if not self._is_looking:
             self._looked = -np.inf

@@ -54,7 +54,7 @@ class Pursuit:
         self._replanner = Replanner(plan, self._hand, self._guard, settings)
         self.search_seconds = self._replanner.seconds
         self.resumes = self.restarts = 0
-        self.estimate = Estimate(self._hand.place(problem.X_WO_start), settings.noise)
+        self.estimate = Estimate(self._hand.place(plan.X_WO_start), settings.noise)
         self._motion = Motion(problem, self._hand, limits, settings, plan.segments[0])
         self._camera = Camera(problem, self._hand)
         self._t = self._planned = -np.inf

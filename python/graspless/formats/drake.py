@@ -17,7 +17,7 @@ from ..kinds import stages_of
 from .drake_robot import ROOT, fingers_urdf, robot_urdf
 from .drake_sdf import Meshes, model_sdf
 from .fingers import centers
-from .mujoco_scene import FINGER, OBJECT
+from .mujoco_scene import OBJECT, finger_names
 from .numbers import plain
 from .things import things
 
@@ -43,7 +43,7 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 def _write_folder(trajectory: Trajectory, folder: Path) -> None:
     found, robot = things(trajectory)
     meshes = Meshes()
-    fingers = [thing for thing in found if robot is None and thing.name.startswith(FINGER)]
+    fingers = [thing for thing in found if thing.name in finger_names(trajectory)]
     fixed = [t for t in found if t.name != OBJECT and t not in fingers]
     written = {"object.sdf": model_sdf([t for t in found if t.name == OBJECT], OBJECT, meshes)}
     if robot is not None:

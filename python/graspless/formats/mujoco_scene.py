@@ -117,6 +117,14 @@ def _give_cloud_inertia(body: Any, points: Matrix, mass: float | None) -> None:
     give_inertia(body, mass, points.mean(axis=0), mass * inertia(points))
 
 
+def finger_names(trajectory: Trajectory) -> list[str]:
+    """Returns the names of the bodies of fingertips; none where an arm carries them."""
+    if trajectory.joint_names:
+        return []
+    count = stages_of(trajectory.plan)[0].task.problem.fingers.count
+    return [f"{FINGER}{i}" for i in range(count)]
+
+
 def _add_fingers(spec: Any, fingers: Any) -> None:
     friction = [float(np.mean(fingers.friction)), 0.005, 0.0001]
     for i in range(fingers.count):

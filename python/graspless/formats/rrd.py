@@ -17,8 +17,8 @@ from .. import files, frames, geometry
 from ..kinds import stages_of
 from ..view.bodies import ARM, OBJECT, OBSTACLE, placed_part, robot_bodies
 from .fingers import centers, contacts
-from .mujoco_scene import FINGER
 from .mujoco_scene import OBJECT as THING
+from .mujoco_scene import finger_names
 from .things import things
 
 if TYPE_CHECKING:
@@ -64,15 +64,16 @@ class _Recording:
         """Sends everything."""
         self.stream.log("world", rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
         found, robot = things(self.trajectory)
+        fingers = finger_names(self.trajectory)
         name: tuple[str, ...]
         for thing in found:
             color = OBSTACLE
             if thing.name == THING:
                 name, color = ("world", THING), OBJECT
                 self._move(name, self.trajectory.object_poses)
-            elif robot is None and thing.name.startswith(FINGER):
+            elif thing.name in fingers:
                 name, color = ("world", "robot", thing.name), ARM
-                self._move(name, self._fingertip(int(thing.name.removeprefix(FINGER))))
+                self._move(name, self._fingertip(fingers.index(thing.name)))
             else:
                 name = ("world", "surroundings", thing.name)
                 self._place(name, thing.X_WB)

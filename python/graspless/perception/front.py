@@ -71,6 +71,8 @@ def perceive(
         views = _arrays(depth, K, X_WC)
     for i, view in enumerate(views):
         warn_of_camera(view, f"X_WC[{i}]" if len(views) > 1 else "X_WC")
+    if stamp is not None and not np.isfinite(stamp):
+        raise ValueError(f"stamp must be a finite time in s, not {stamp}")
     scene = perceive_views(views, Options() if options is None else options)
     scene.stamp = stamp
     return scene

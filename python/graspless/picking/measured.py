@@ -29,20 +29,21 @@ CELL = 0.006  # between points at which the height is looked at [m]
 
 def doubt(plan: Any, wish: Wish) -> str:
     """Says why the first stage of a chain, or a slide at its end, misses the object as it was
-    measured, or cannot bear it; or nothing.
+    measured, or why the fingers of a slide do not bear it; or nothing.
 
-    A slide needs the measured height where the finger presses, and fingers that bear the object at
-    the edge. Plans that take the object for a prism also need the height where the hand closes: a
-    slide the whole height, a pinch that of the fingers.
+    A slide needs the measured height where the finger presses. Plans that take the object for a
+    prism also need the height where the hand closes: a slide the whole height, a pinch that of the
+    fingers.
     """
     stage = plan.stages[-1]
     if stage.kind != "slide":
         stage = plan.stages[0]
+    doubted = ""
     if stage.kind == "slide":
-        return _doubt_slide(stage, wish)
-    if stage.kind == "pinch" and stage.task.problem.object.heights is None:
-        return _doubt_pinch(stage, wish)
-    return ""
+        doubted = _doubt_slide(stage, wish)
+    elif stage.kind == "pinch" and stage.task.problem.object.heights is None:
+        doubted = _doubt_pinch(stage, wish)
+    return doubted or _too_heavy(plan, wish)
 
 
 def _doubt_slide(stage: Any, wish: Wish) -> str:
@@ -66,10 +67,17 @@ def _doubt_slide(stage: Any, wish: Wish) -> str:
                 f"where {what}, it is {1000 * height:.0f} mm high, its top {1000 * top:.0f} mm: at "
                 f"most {1000 * lower:.0f} mm lower is allowed"
             )
-    if wish.mass is not None and stage.max_mass is not None and wish.mass > stage.max_mass:
-        borne = f"the fingers bear {stage.max_mass:.3f} kg"
-        return f"where the hand grasps it, {borne}; it weighs {wish.mass:.3f} kg"
     return ""
+
+
+def _too_heavy(plan: Any, wish: Wish) -> str:
+    """Says that the fingers do not bear the object where a slide ends; or nothing."""
+    borne = [stage.max_mass for stage in plan.stages if stage.kind == "slide"]
+    least = min((mass for mass in borne if mass is not None), default=np.inf)
+    if wish.mass is None or wish.mass <= least:
+        return ""
+    what = f"the fingers bear {least:.3f} kg; it weighs {wish.mass:.3f} kg"
+    return f"where the hand grasps it, {what}"
 
 
 def _doubt_pinch(stage: Any, wish: Wish) -> str:

@@ -240,13 +240,22 @@ def _refuse_slide(wish: Wish) -> str:
 
 
 def _beyond_reach(wish: Wish, edges: list[int]) -> float:
-    """Returns the distance by which the nearest edge is out of reach, seen from above [m]."""
+    """Returns the distance by which the nearest edge is out of reach, seen from above [m].
+
+    It is not known, and minus infinity, if the arm begins with a sliding joint or is moved itself.
+    """
     robot = wish.model
     first = robot.group("arm")[0] if "arm" in robot.group_names else 0
-    reach = max(float(robot.reach(i)[first]) for i in range(len(robot.frame_names)))
+    links = range(len(robot.frame_names))
+    q = robot.clamp(np.zeros(robot.dof))
+    moved = next(link for link in links if robot.jacobian(link, q)[:, first].any())
+    turns, movers = robot.jacobian(moved, q)[3:], np.flatnonzero(robot.jacobian(moved, q).any(0))
+    if not turns[:, first].any() or len(movers) > 1:
+        return -np.inf
+    reach = max(float(robot.reach(link)[first]) for link in links)
     ring = np.asarray(wish.support.polygon)
     ring_W = np.column_stack([ring, np.zeros(len(ring)), np.ones(len(ring))]) @ wish.support.X_WS.T
-    base = np.asarray(robot.X_WB)[:2, 3]
+    base = np.asarray(robot.pose(moved, q))[:2, 3]  # on the axis of the first joint
     nearest = min(distance_to(base, ring_W[i, :2], ring_W[(i + 1) % len(ring), :2]) for i in edges)
     return nearest - reach
 

@@ -216,7 +216,7 @@ def stale(scene: Scene, max_age: float) -> str:
     age = time.time() - scene.stamp
     if age < -CLOCKS:
         return f"its images were taken {-age:.1f} s in the future: the clocks differ"
-    if age > max_age:
+    if not age <= max_age:
         return f"its images were taken {age:.1f} s ago, at most {max_age:g} s are allowed"
     return ""
 

@@ -201,18 +201,21 @@ class Controllers:
         self._require_ready(found, parts)
         timer = Timer(self._clock)
         messages = [message_of(part, found, self._joints, self._settings) for part in parts]
-        orders = []
-        for part, message in zip(parts, messages, strict=True):
-            message.header.stamp = time_of(timer.start + self._settings.start_seconds)
-            name = part.controller.name
-            orders.append(_Order(self._clients[name], name, message))
+        orders: list[_Order] = []
         try:
+            for part, message in zip(parts, messages, strict=True):
+                message.header.stamp = time_of(timer.start + self._settings.start_seconds)
+                name = part.controller.name
+                orders.append(_Order(self._clients[name], name, message))
             self._await_acceptance(orders, cancel)
             self._watch(orders, found, timer, cancel, tell)
         except (HaltedError, RefusedError) as error:
             left = self._withdraw(orders)
             status = error.status if isinstance(error, HaltedError) else "stopped"
             raise HaltedError(status, f"{error}{left}") from None
+        except BaseException:
+            self._withdraw(orders)
+            raise
 
     def _require_ready(self, found: Found, parts: list[Part]) -> None:
         if not parts:

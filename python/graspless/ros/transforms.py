@@ -102,21 +102,30 @@ class Transforms:
                     self._lock.wait(left)
 
     def _found(self, target: str, source: str, stamp: float | None) -> Matrix:
-        up, down = self._chain(source, stamp), self._chain(target, stamp)
+        (up, why), (down, why_not) = self._chain(source, stamp), self._chain(target, stamp)
         for frame, X_FS in up.items():
             if frame in down:
                 found: Matrix = np.linalg.inv(down[frame]) @ X_FS
                 return found
-        raise RefusedError(f"tf does not connect the frames '{source}' and '{target}'")
+        unconnected = RefusedError(f"tf does not connect the frames '{source}' and '{target}'")
+        raise why or why_not or unconnected
 
-    def _chain(self, frame: str, stamp: float | None) -> dict[str, Matrix]:
-        """Returns the pose of a frame in itself and in each of its ancestors, in order."""
+    def _chain(
+        self, frame: str, stamp: float | None
+    ) -> tuple[dict[str, Matrix], RefusedError | None]:
+        """Returns the pose of a frame in itself and in each of its ancestors, in order.
+
+        Also returns the reason for which they end below the root at that time, if they do.
+        """
         X = np.eye(4)
         chain = {frame: X}
         for _ in range(_DEEPEST):
-            step = self._step(frame, stamp)
+            try:
+                step = self._step(frame, stamp)
+            except RefusedError as error:
+                return chain, error
             if step is None:
-                return chain
+                return chain, None
             frame, X = step[0], step[1] @ X
             chain[frame] = X
         raise RefusedError(f"tf has a loop at the frame '{frame}'")

@@ -41,8 +41,8 @@ def beyond(plan: Any, travel: float) -> Matrix:
 def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
     """Returns a trajectory whose hand closes beyond contact, and holds on until it opens.
 
-    Only slides and pinches, alone or as the first stage of a chain, end with a hand that touches;
-    other trajectories are returned as they are. No joint passes its limit.
+    Only slides and pinches, alone or as a stage of a chain, end with a hand that touches; other
+    trajectories are returned as they are. No joint passes its limit.
 
     Parameters
     ----------
@@ -102,11 +102,12 @@ def targets(trajectory: Trajectory, travel: float) -> Matrix:
 
 def _contact(trajectory: Trajectory, travel: float) -> tuple[int, Matrix]:
     """Returns the sample at which the hand touches, and how far it closes on [dof]; or zeros."""
-    plan: Any = stages_of(trajectory.plan)[0]
-    closes = np.flatnonzero(np.array(trajectory.names) == "close")
-    if travel <= 0 or plan.kind not in ("slide", "pinch") or not len(closes):
+    stages: list[Any] = stages_of(trajectory.plan)
+    grasps = [s for s in stages if s.kind in ("slide", "pinch") and s.segments[-1].name == "close"]
+    if travel <= 0 or not grasps:
         return 0, np.zeros(trajectory.positions.shape[1])
-    k = int(closes[-1])
+    plan = grasps[-1]
+    k = int(np.flatnonzero(np.array(trajectory.names) == "close")[-1])
     q, robot = trajectory.positions[k], plan.task.problem.robot
     return k, np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
 

@@ -289,6 +289,47 @@ TEST(Perceive, FindsShelvesTiltedTablesAndTwoTablesOfOneHeight) {
   EXPECT_EQ(tables, 2);
 }
 
+TEST(Perceive, ThingsBesideABoardAreFoundBelowItsTop) {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const Scene scene =
+        perceive({view_of({floor(), table(), box_at({0.3, 0.3, 0.02}, {0.1, 0.1, 0.41}),
+                           on_table({0.08, 0.05, 0.015}, -0.2, -0.2), on_table(kCard, 0.1, -0.2)},
+                          look_at({-0.6, 0, 1.3}, {0, 0, 0.4}), 1, seed)});
+    EXPECT_EQ(scene.supports.size(), 3u);  // floor, table, board
+    std::vector<double> heights;
+    for (const Object& object : scene.objects) {
+      if (object.X_WO.translation().z() < 0.41) heights.push_back(object.thickness);
+    }
+    std::sort(heights.begin(), heights.end());
+    ASSERT_EQ(heights.size(), 2u) << scene.reason;
+    EXPECT_NEAR(heights[0], 0.003, 0.001);
+    EXPECT_NEAR(heights[1], 0.015, 0.002);
+  }
+}
+
+TEST(Perceive, BoxesOfOneHeightThatAreNoSupportAreObjects) {
+  const auto box = [](double x, double y) { return on_table({0.16, 0.16, 0.05}, x, y); };
+  const Scene scene =
+      perceive({view_of({floor(), table(), box(0.15, 0.15), box(-0.15, 0.15), box(0, -0.15)},
+                        look_at({-0.6, 0, 1.3}, {0, 0, 0.4}))});
+  ASSERT_EQ(scene.objects.size(), 3u) << scene.reason;
+  for (const Object& object : scene.objects) EXPECT_NEAR(object.thickness, 0.05, 0.003);
+}
+
+TEST(Perceive, WedgesBelowACameraAreAroundTheBoxTheyBelongTo) {
+  for (const double aside : {0.0, 0.042}) {
+    const Scene scene = perceive({view_of({floor(), table(), on_table({0.08, 0.08, 0.1}, aside, 0)},
+                                          look_at({0, 0.001, 1.0}, {0, 0, 0.4}))});
+    ASSERT_EQ(scene.objects.size(), 1u);
+    for (const Unseen& space : scene.unseen) {
+      if (space.behind.empty()) continue;
+      const Eigen::Vector3d size =
+          space.shape.vertices.rowwise().maxCoeff() - space.shape.vertices.rowwise().minCoeff();
+      EXPECT_LT(size.head<2>().maxCoeff(), 0.12);
+    }
+  }
+}
+
 TEST(Perceive, TwoViewsSeeMoreThanOne) {
   const std::vector<Body> bodies{floor(), table(), on_table(kBox, 0, 0)};
   const View front = view_of(bodies, eye());

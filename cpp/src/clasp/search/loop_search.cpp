@@ -150,7 +150,7 @@ void LoopSearch::tighten(planning::Path& path) {
     poll();
     if (!controller_.step(path.back(), goal, kMaxStep, q_new)) return;
     const Eigen::VectorXd x = project(q_new);
-    if (x[4] == 0 || !query_.is_motion_free(path.back(), q_new)) return;
+    if (!is_enough(x[4]) || !query_.is_motion_free(path.back(), q_new)) return;
     Eigen::Vector4d left = x.head<4>() - goal;
     left[3] *= kLinkingWeight;
     stalled = left.norm() < least - 1e-4 ? 0 : stalled + 1;

@@ -124,8 +124,8 @@ ClaspTarget nearest_target(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
   return nearest;
 }
 
-/// Targets of every loop: at equal arc length or, if there are marks, the loop point nearest to
-/// each.
+/// Targets of every loop: at equal arc length or, if there are marks, its points nearest to those
+/// that mark it.
 std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
                                                     const std::vector<int>& loops,
                                                     const std::vector<Options>& options) {
@@ -137,17 +137,24 @@ std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
     targets[i] = geometry::clasp_targets(points(i), options[i].targets);
   }
   for (const Vector3d& mark : problem.marks) {
-    std::size_t best = 0;
-    ClaspTarget nearest = nearest_target(points(0), mark);
-    for (std::size_t i = 1; i < loops.size(); ++i) {
-      const ClaspTarget target = nearest_target(points(i), mark);
-      if ((target.point - mark).norm() >= (nearest.point - mark).norm()) continue;
-      nearest = target;
-      best = i;
-    }
-    targets[best].push_back(nearest);
+    const auto marked = std::find(loops.begin(), loops.end(), marked_loop(problem, mark));
+    if (marked == loops.end()) continue;  // the hand does not fit there
+    const auto i = static_cast<std::size_t>(marked - loops.begin());
+    targets[i].push_back(nearest_target(points(i), mark));
   }
   return targets;
+}
+
+/// The allowed loops; if there are marks, those that are marked.
+std::vector<int> wanted_loops(const Problem& problem) {
+  std::vector<int> loops = allowed_loops(problem);
+  if (problem.marks.empty()) return loops;
+  const auto is_unmarked = [&](int loop) {
+    return std::none_of(problem.marks.begin(), problem.marks.end(),
+                        [&](const Vector3d& mark) { return marked_loop(problem, mark) == loop; });
+  };
+  loops.erase(std::remove_if(loops.begin(), loops.end(), is_unmarked), loops.end());
+  return loops;
 }
 
 /// Drops the loops along handles that are wider than the two fingers of the hand open.
@@ -225,9 +232,19 @@ std::vector<int> allowed_loops(const Problem& problem) {
   return all;
 }
 
+int marked_loop(const Problem& problem, const Eigen::Vector3d& mark) {
+  const std::vector<int> loops = allowed_loops(problem);
+  const auto distance = [&](int loop) {
+    const auto& points = problem.object.loops().found[static_cast<std::size_t>(loop)].points;
+    return (nearest_target(points, mark).point - mark).norm();
+  };
+  return *std::min_element(loops.begin(), loops.end(),
+                           [&](int a, int b) { return distance(a) < distance(b); });
+}
+
 std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {
   const Problem& problem = query.problem;
-  std::vector<int> loops = without_thick(query, allowed_loops(problem), plan);
+  std::vector<int> loops = without_thick(query, wanted_loops(problem), plan);
   if (!loops.empty()) loops = without_narrow(query, std::move(loops), plan);
   if (loops.empty()) return {};
   std::vector<Options> options;

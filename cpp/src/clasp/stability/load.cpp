@@ -243,15 +243,21 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
   return most;
 }
 
-void require_efforts(const Problem& problem, const StabilityOptions& options) {
-  if (problem.hand.fingers.size() != 1 || (options.force == 0 && options.torque == 0)) return;
+std::optional<int> missing_effort(const Problem& problem, const StabilityOptions& options) {
+  if (problem.hand.fingers.size() != 1 || (options.force == 0 && options.torque == 0)) return {};
   for (const int joint : problem.robot.group(problem.hand.hand)) {
-    if (std::isfinite(problem.robot.max_effort()[joint])) continue;
-    throw std::invalid_argument(
-        "robot: joint '" + problem.robot.joint_names()[static_cast<std::size_t>(joint)] +
-        "' of the hand has no effort limit above 0 in the URDF, so the force of its fingers is "
-        "unknown; give it one, or set options.stability.force and options.stability.torque to 0");
+    if (!std::isfinite(problem.robot.max_effort()[joint])) return joint;
   }
+  return {};
+}
+
+void require_efforts(const Problem& problem, const StabilityOptions& options) {
+  const std::optional<int> joint = missing_effort(problem, options);
+  if (!joint) return;
+  throw std::invalid_argument(
+      "robot: joint '" + problem.robot.joint_names()[static_cast<std::size_t>(*joint)] +
+      "' of the hand has no effort limit above 0 in the URDF, so the force of its fingers is "
+      "unknown; give it one, or set options.stability.force and options.stability.torque to 0");
 }
 
 }  // namespace graspless::clasp

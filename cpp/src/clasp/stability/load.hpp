@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -75,8 +76,10 @@ class LoadTester {
   Eigen::Vector3d mean_O_;      // of the object's points
 };
 
-/// Throws std::invalid_argument if a load is to be tested, and a joint of a hand of two fingers has
-/// no effort limit. Such a joint of another hand is taken as one that never gives way.
+/// A joint without effort limit of a hand of two fingers, if a load is to be tested. Such a joint
+/// of another hand is taken as one that never gives way.
+std::optional<int> missing_effort(const Problem& problem, const StabilityOptions& options);
+/// Throws std::invalid_argument if there is one.
 void require_efforts(const Problem& problem, const StabilityOptions& options);
 
 }  // namespace graspless::clasp

@@ -48,6 +48,7 @@ void run(const Eigen::Matrix3Xd& loop_O, double escape, const StabilityOptions& 
   walk.reset();
   const std::int64_t before = walk.steps();
   double distance = distance_to_loop(loop_O, walk.p_OC());
+  sequence.farthest = distance;
   for (const Eigen::Vector3d& direction : sequence.directions) {
     if (distance > escape) break;
     poll();

@@ -53,12 +53,16 @@ double lattice_step(const Lattice& lattice, int axis) {
 /// Index of a value of the lattice along an axis. False if it is none, to the tolerance `same`.
 bool lattice_index(const Lattice& lattice, int axis, double value, double same, double& index) {
   const double step = lattice_step(lattice, axis);
+  const int last = lattice.counts[static_cast<std::size_t>(axis)] - 1;
   double above = value - lattice.lower[axis];
-  // Yaws a whole turn apart are the same: take the first on the lattice.
+  // Yaws a whole turn apart are the same: take the first that is on the lattice.
   if (axis == 2) above -= kTwoPi * std::floor((above + same) / kTwoPi);
-  index = step > 0 ? std::round(above / step) : 0;
-  return std::abs(above - index * step) <= same && index >= 0 &&
-         index <= lattice.counts[static_cast<std::size_t>(axis)] - 1;
+  for (; above <= last * step + same; above += kTwoPi) {
+    index = step > 0 ? std::round(above / step) : 0;
+    if (std::abs(above - index * step) <= same && index >= 0 && index <= last) return true;
+    if (axis != 2) break;
+  }
+  return false;
 }
 
 }  // namespace
@@ -81,7 +85,7 @@ Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WA, const Vector6d& twi
 
 bool is_rigid(const Eigen::Isometry3d& X) {
   const Eigen::Matrix3d R = X.linear();
-  return X.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-9) && R.determinant() > 0;
+  return X.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-6) && R.determinant() > 0;
 }
 
 bool Examination::is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const {
@@ -176,7 +180,14 @@ void Examination::check_motion(const Path& path, const Poses& way) {
 
 /// Checks that every pose is on the lattice, and a neighbour of the one before.
 void Examination::check_motion(const Lattice& lattice, const Poses& way) {
-  check_ends(lattice.X_WO_start, lattice.X_WO_goal, way);
+  constexpr double kOnLattice = 1e-6;  // the ends may be as far from their nodes [m, rad]
+  const auto is_end = [&](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+    const Eigen::Vector3d turn = rotation_vector(a.linear().transpose() * b.linear());
+    return (a.translation() - b.translation()).norm() <= same_length_ + 2 * kOnLattice &&
+           turn.norm() <= kSameAngle + kOnLattice;
+  };
+  if (!is_end(way.front(), lattice.X_WO_start)) fault("plan", "does not begin at the start");
+  if (!is_end(way.back(), lattice.X_WO_goal)) fault("plan", "does not end at the goal");
   Eigen::Vector3d last = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < way.size(); ++k) {
     const Eigen::Matrix3d R = way[k].linear() * lattice.X_WO_start.linear().transpose();

@@ -38,6 +38,22 @@ double diagonal(const Eigen::Matrix3Xd& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
+/// Without vertices that no triangle uses. They are no part of the object.
+geometry::Mesh used(const geometry::Mesh& mesh) {
+  std::vector<int> index(static_cast<std::size_t>(mesh.vertices.cols()), -1);
+  for (const int vertex : mesh.triangles.reshaped()) index[static_cast<std::size_t>(vertex)] = 0;
+  geometry::Mesh out{Eigen::Matrix3Xd(3, mesh.vertices.cols()), mesh.triangles};
+  int count = 0;
+  for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
+    if (index[static_cast<std::size_t>(i)] < 0) continue;
+    index[static_cast<std::size_t>(i)] = count;
+    out.vertices.col(count++) = mesh.vertices.col(i);
+  }
+  out.vertices.conservativeResize(3, count);
+  for (int& vertex : out.triangles.reshaped()) vertex = index[static_cast<std::size_t>(vertex)];
+  return out;
+}
+
 /// Formats such as STL write a vertex once for each of its triangles.
 geometry::Mesh merged(const geometry::Mesh& mesh) {
   const double cell = std::max(kMergeTolerance * diagonal(mesh.vertices), 1e-300);
@@ -171,7 +187,7 @@ geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what) 
                      std::to_string(mesh.triangles.cols()));
   }
   geometry::validate(mesh, what);
-  geometry::Mesh out = merged(mesh);
+  geometry::Mesh out = merged(used(mesh));
   if (out.triangles.cols() == 0) refuse(what, "must have a volume, but is a point or a line");
   require_closed(out, what);
   const double size = diagonal(out.vertices);

@@ -14,7 +14,7 @@
 namespace graspless::mechanics {
 
 /// Contact as a spring about its nominal force.
-struct Spring {
+struct GRASPLESS_API Spring {
   Eigen::Vector3d n;               ///< normal into the object, in O
   double friction = 0;             ///< coefficient
   double max_normal = kUnlimited;  ///< [N]

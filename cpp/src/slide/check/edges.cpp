@@ -28,6 +28,8 @@ class FollowingObject {
       const Eigen::Vector3d p_S = X_SO * Eigen::Vector3d(p_O.x(), p_O.y(), 0);
       radius_ = std::max(radius_, (p_S.head<2>() - start.effective).norm());
     }
+    const auto& map = problem.object.heights();  // whose cells reach beyond the outline
+    if (map) radius_ += map->cell * std::sqrt(2.0);
   }
 
   /// Bound on the length of the path of each of the object's points on a part of an edge [m].

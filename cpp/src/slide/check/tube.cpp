@@ -73,7 +73,8 @@ void Examination::check_drag(const std::vector<PressedRow>& rows) {
   const double arm = object.top() * problem_.support.friction() * (1 + options_.friction_spread);
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const Planar X_OO = rows[row].X_SO * rows[row - 1].X_SO.inverse();
-    const Eigen::Vector2d center = rows[row - 1].p_SC, way = X_OO * center - center;
+    const Eigen::Vector2d center = pressure_center(problem_, rows[row - 1]);
+    const Eigen::Vector2d way = X_OO * center - center;
     if (way.norm() < 1e-6) continue;
     const Eigen::Vector2d pressed = center + way * (arm / way.norm());
     const Eigen::Vector2d pressed_O = rows[row - 1].X_SO.inverse() * pressed;

@@ -41,6 +41,12 @@ std::vector<PressedRow> pressed_rows(const Problem& problem, const Segment& slid
   return found;
 }
 
+Eigen::Vector2d pressure_center(const Problem& problem, const PressedRow& row) {
+  const double press = press_force(problem.hand, row.depth, row.tip.pitch);
+  const double shift = contact_shift(problem.hand, row.depth, row.tip.pitch, row.tip.pitch);
+  return row.p_SC + press / (press + weight(problem)) * shift * row.tip.heading;
+}
+
 std::optional<std::size_t> tipping_row(const Problem& problem, const Options& options,
                                        const std::vector<PressedRow>& rows) {
   constexpr double kStill = 1e-6;  // [m]
@@ -49,9 +55,10 @@ std::optional<std::size_t> tipping_row(const Problem& problem, const Options& op
   const double ahead = (1 + options.friction_spread) * problem.support.friction() * object.top();
   for (std::size_t row = 0; row + 1 < rows.size(); ++row) {
     const PressedRow& now = rows[row];
-    const Eigen::Vector2d moved = rows[row + 1].X_SO * (now.X_SO.inverse() * now.p_SC) - now.p_SC;
+    const Eigen::Vector2d center = pressure_center(problem, now);
+    const Eigen::Vector2d moved = rows[row + 1].X_SO * (now.X_SO.inverse() * center) - center;
     if (moved.norm() < kStill) continue;
-    const Eigen::Vector2d p_S = now.p_SC + ahead * moved.normalized();
+    const Eigen::Vector2d p_S = center + ahead * moved.normalized();
     const bool is_borne = object.outline().depth(now.X_SO.inverse() * p_S) >= 0 &&
                           problem.support.polygon().depth(p_S) >= 0;
     if (!is_borne) return row;

@@ -18,7 +18,7 @@ struct PressedRow {
   double depth;          ///< of the tip below the top face [m]
   Planar X_SO;           ///< pose of the object
   Eigen::Vector2d p_SM;  ///< centre of mass [m]
-  Eigen::Vector2d p_SC;  ///< centre of pressure, for a finger without drag [m]
+  Eigen::Vector2d p_SC;  ///< centre of pressure, if the finger did not bend or drag [m]
   double yaw;            ///< of the object [rad]
   double radius;         ///< mean distance of the object's points to the centre of pressure [m]
 };
@@ -35,6 +35,10 @@ std::vector<PressedRow> pressed_rows(const Problem& problem, const Plan& plan);
 double drag_load(const Problem& problem, const std::vector<PressedRow>& rows);
 Trailing trailing(const Problem& problem, const std::vector<PressedRow>& rows);
 Turning turning(const Problem& problem, const std::vector<PressedRow>& rows);
+
+/// Returns the centre of pressure in S, without drag [m]. The finger presses with its pad, ahead of
+/// the unbent tip.
+Eigen::Vector2d pressure_center(const Problem& problem, const PressedRow& row);
 
 /// Returns the first row after which drag may tip an object that is higher than half its width: the
 /// support's friction acts below the finger and moves the centre of pressure ahead, by its

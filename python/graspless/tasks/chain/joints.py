@@ -51,6 +51,7 @@ def require_joined(stages: Sequence[Stage]) -> None:
     for before, stage in pairwise(own):
         _require_same_robot(before, stage)
         _require_same_object(before, stage)
+        _require_same_fingers(before, stage)
 
 
 def _require_same_robot(before: Stage, stage: Stage) -> None:
@@ -82,6 +83,15 @@ def _require_same_object(before: Stage, stage: Stage) -> None:
     if (before.kind == stage.kind or are_outlines) and _shape(old) != _shape(new):
         what = f"should be that of '{before.name}', the stage before it"
         raise stage.source.error(("object",), what)
+
+
+def _require_same_fingers(before: Stage, stage: Stage) -> None:
+    if not before.kind == stage.kind == "fingertip":
+        return
+    for name in ("count", "radius"):
+        if getattr(before.fields.fingers, name) != getattr(stage.fields.fingers, name):
+            what = f"should be that of '{before.name}', the stage before it"
+            raise stage.source.error(("fingers", name), what)
 
 
 def _shape(thing: Any) -> dict[str, Any]:

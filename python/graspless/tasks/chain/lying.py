@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The graspless authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pose of an outline that is the footprint of another planner's object."""
+"""Pose of a prism that is another planner's object."""
 
 from __future__ import annotations
 
@@ -8,26 +8,29 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ... import frames
 from ..shapes import PlanarPose
 
 if TYPE_CHECKING:
+    from ... import slide
     from ...frames import Matrix
 
 SAME = 1e-4  # [m]; corners of one object, described twice
 FLAT = SAME / 10  # of a corner, from the line between the corners beside it
 
 
-def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
-    """Returns the pose in S at which a prism has given corners. Of several, it is turned least.
+def lying(corners_S: Matrix, com_S: Matrix, prism: slide.Object) -> PlanarPose:
+    """Returns the pose in S at which a prism has given corners.
+
+    Of several, the one whose centre of mass is nearest to the given one, and then the least turned.
 
     Parameters
     ----------
     corners_S : array [N, 3]
         Of the object's convex hull, in S [m].
-    outline : array [M, 2]
-        Of the prism, in its own frame [m].
-    thickness : float
-        [m].
+    com_S : array [3]
+        Its centre of mass, in S [m].
+    prism : slide.Object
 
     Raises
     ------
@@ -35,11 +38,12 @@ def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
         The prism is no such object, or the object does not lie on the support.
     """
     low, high = corners_S[:, 2].min(), corners_S[:, 2].max()
+    thickness = prism.thickness
     if abs(low) > SAME:
         raise ValueError(f"lies {low:.4g} m over the support")
     if abs(high - low - thickness) > SAME:
         raise ValueError(f"is {high - low:.4g} m high as it lies; thickness is {thickness:.4g}")
-    seen, own = convex_hull(corners_S[:, :2]), convex_hull(outline)
+    seen, own = convex_hull(corners_S[:, :2]), convex_hull(np.asarray(prism.outline.vertices))
     fits = [_fitted(own, np.roll(seen, -k, axis=0)) for k in range(len(seen))]
     if len(seen) != len(own):
         raise ValueError(f"has {len(seen)} corners seen from above; the outline has {len(own)}")
@@ -47,7 +51,14 @@ def lying(corners_S: Matrix, outline: Matrix, thickness: float) -> PlanarPose:
     if off > SAME:
         raise ValueError(f"has another outline seen from above: corners are {off:.4g} m off")
     poses = [pose for error, pose in fits if error < off + SAME / 10]
-    return min(poses, key=lambda pose: abs(pose.yaw))
+    coms = [frames.planar(p.x, p.y, p.yaw)[:2, :3] @ [*prism.com[:2], 0] for p in poses]
+    away = [
+        float(np.linalg.norm([p.x, p.y] + com - com_S[:2]))
+        for p, com in zip(poses, coms, strict=True)
+    ]
+    least = min(away) + SAME
+    nearest = (pose for pose, d in zip(poses, away, strict=True) if d <= least)
+    return min(nearest, key=lambda pose: abs(pose.yaw))
 
 
 def _fitted(own: Matrix, seen: Matrix) -> tuple[float, PlanarPose]:

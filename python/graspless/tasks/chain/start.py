@@ -15,7 +15,7 @@ from ..carry.model import Object
 from ..robots import robot_meshes
 from ..scenes import planar_pose
 from ..shapes import PlanarPose, Pose
-from ..slide.build import outline
+from ..slide.build import build_object
 from ..slide.resolve import support_pose
 from ..source import at
 from .joints import ON_SUPPORT
@@ -23,7 +23,7 @@ from .lying import SAME, lying
 
 if TYPE_CHECKING:
     from ...frames import Matrix
-    from ..source import Location
+    from ..source import Location, Source
     from .stage import Stage, StageSource
 
 LEAST_DOWN = 0.01  # [m]
@@ -76,12 +76,15 @@ class State:
         None if the hand holds nothing.
     corners : array [N, 3] or None
         Vertices of the object's convex hull in the world [m], after a fingertip plan.
+    com : array [3] or None
+        Centre of mass of the object in the world [m], after a fingertip plan.
     """
 
     X_WO: Matrix
     q: Matrix | None
     held: Held | None
     corners: Matrix | None = None
+    com: Matrix | None = None
 
 
 def hold_place(stage: StageSource) -> None:
@@ -118,7 +121,7 @@ def start_at(stage: Stage, state: State) -> Any:
         return _carry(fields, state)
     if stage.kind in ON_SUPPORT:
         with at(stage.source, "object"):
-            changes = _slide(fields, state)
+            changes = _slide(fields, state, stage.source)
     else:
         changes = _clasp(fields, state) if stage.kind == "clasp" else _fingertip(fields, state)
     return fields.model_copy(update=_robot(fields, state) | changes)
@@ -130,16 +133,17 @@ def _robot(fields: Any, state: State) -> dict[str, Any]:
     return {"robot": fields.robot.model_copy(update={"home": np.asarray(state.q).tolist()})}
 
 
-def _slide(fields: Any, state: State) -> dict[str, Any]:
+def _slide(fields: Any, state: State, source: Source) -> dict[str, Any]:
     """Places the outline at the pose of the object. Fingertips have another frame for it."""
     thing = fields.object
-    if state.corners is None:
+    if state.corners is None or state.com is None:
         return {"object": thing.model_copy(update={"pose": _flat(fields, state.X_WO)})}
     if thing.cloud is not None or thing.points is not None:
         raise ValueError("an outline is needed to find where it lies")
     X_SW = np.linalg.inv(support_pose(fields.support))
     corners_S = state.corners @ X_SW[:3, :3].T + X_SW[:3, 3]
-    pose = lying(corners_S, thing.scale * outline(thing), thing.thickness)
+    com_S = X_SW[:3, :3] @ state.com + X_SW[:3, 3]
+    pose = lying(corners_S, com_S, build_object(thing, source, thin=False))
     return {"object": thing.model_copy(update={"pose": pose})}
 
 

@@ -103,8 +103,8 @@ def _heights(thing: slide.Object) -> dict[str, Any]:
 
 def _outline(thing: slide.Object) -> dict[str, Any]:
     """Its polygon and the spacing of the grid of contact points; of a cloud its points."""
-    steps = np.diff(np.unique(np.round(thing.points[:, 0], 12)))
-    spacing = float(steps.min()) if len(steps) else thing.outline.area
+    steps = np.concatenate([np.diff(np.unique(np.round(p, 12))) for p in thing.points.T])
+    spacing = float(steps.min() if len(steps) else np.ptp(thing.outline.vertices, axis=0).max())
     given = {"polygon": plain(thing.outline.vertices), "spacing": spacing}
     with contextlib.suppress(ValueError):
         made = slide.Object.prism(thing.name, thing.outline, thing.thickness, spacing=spacing)

@@ -194,7 +194,8 @@ def _draw_overhang(axes: Any, shown: Film, outline: Matrix, X_SO: Matrix) -> Non
     """Draws an arrow from the edge to the point of the object that sticks out farthest."""
     ring = outline @ X_SO[:2, :2].T + X_SO[:2, 3]
     polygon = shown.plan.task.problem.support.polygon
-    edge = polygon.nearest_edge(X_SO[:2, 3])
+    out = ring[[polygon.depth(p) < 0 for p in ring]]
+    edge = polygon.nearest_edge(out.mean(axis=0) if len(out) else X_SO[:2, 3])
     inward = np.asarray(edge.inward)
     depth = (ring - np.asarray(edge.a)) @ inward
     tip = ring[depth.argmin()]

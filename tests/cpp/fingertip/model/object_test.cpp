@@ -55,6 +55,16 @@ TEST(FingertipObject, PropertiesFollowARigidMotion) {
   }
 }
 
+TEST(FingertipObject, VerticesOfNoTriangleAreNoPart) {
+  geometry::Mesh mesh = l_mesh();
+  const Object before = Object::from_mesh("L", mesh, 2);
+  mesh.vertices.conservativeResize(3, mesh.vertices.cols() + 1);
+  mesh.vertices.rightCols<1>() << 0.3, 0.2, 0.9;
+  const Object after = Object::from_mesh("L", mesh, 2);
+  EXPECT_EQ(after.hull(), before.hull());
+  EXPECT_EQ(after.size(), before.size());
+}
+
 TEST(FingertipObject, LIsTwoBoxes) {
   const Object l = Object::from_mesh("L", l_mesh(), 3);
   // A bar of 3 x 1 x 1 along x and a cube on its end: centres (1.5, .5, .5) and (.5, .5, 1.5).

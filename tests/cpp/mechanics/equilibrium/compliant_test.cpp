@@ -10,12 +10,32 @@
 
 #include "complaint.hpp"
 #include "mechanics/contact_sets.hpp"
+#include "mechanics/equilibrium/springs.hpp"
 #include "mechanics/stability/fixed_forces.hpp"
 
 namespace graspless::mechanics {
 namespace {
 
 using Eigen::Vector3d;
+
+/// On the edge of its cone, a force may leave it at once, cross it, or stay on it.
+TEST(Compliant, ForcesOnTheEdgeOfTheirCone) {
+  Spring spring;
+  spring.n = Vector3d::UnitZ();
+  const auto limit = [&](double friction, const Vector3d& force, const Vector3d& change) {
+    spring.friction = friction;
+    spring.changes = change;
+    return spring.within_cone(force);
+  };
+  const Vector3d edge(0.5, 0, 1);
+  EXPECT_EQ(limit(0.5, edge, {1, 0, 0}), 0);
+  EXPECT_DOUBLE_EQ(limit(0.5, edge, {-1, 0, 0}), 1);
+  EXPECT_EQ(limit(0.5, edge, {0, 1, 0}), 0);
+  EXPECT_EQ(limit(0.5, edge, {0, 0, 1}), Spring::kUnlimited);
+  EXPECT_EQ(limit(0, {0, 0, 1}, {1, 0, 0}), 0);
+  EXPECT_EQ(limit(0, {0, 0, 1}, {0, 0, 1}), Spring::kUnlimited);
+  EXPECT_DOUBLE_EQ(limit(0, {0, 0, 1}, {0, 0, -2}), 0.5);
+}
 
 TEST(Compliant, TwoPointsDoNotHoldATurnAboutTheirLine) {
   Equilibrium nominal;
