@@ -74,7 +74,7 @@ def test_an_edited_plan_is_at_fault(plan):
 def test_contacts_beside_the_hand_are_a_fault(plan):
     moved = copy.copy(plan)
     moved.contacts_O = np.asarray(plan.contacts_O) + [0.03, 0, 0]  # along both faces
-    assert "close: a contact is beside the pads" in graspless.check(moved)
+    assert "close: the contacts are beside the pads" in graspless.check(moved)
 
 
 def test_the_edges_are_certified(plan):

@@ -160,6 +160,7 @@ class Builder {
   /// plane, or a little below that, may be one.
   void claim_support(const Region& region, const std::vector<Sighting>& sightings) {
     Raster near = region.inside;
+    for (std::size_t k : joined_to(region)) near.values[k] = 1;
     grow(near, static_cast<int>(std::ceil(kBeside / near.cell)));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       poll();

@@ -194,4 +194,24 @@ std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& 
   return regions;
 }
 
+std::vector<std::size_t> joined_to(const Region& region) {
+  Raster open = region.ground;
+  for (std::uint8_t& value : open.values) {
+    value = value != static_cast<std::uint8_t>(Ground::outside) &&
+            value != static_cast<std::uint8_t>(Ground::passed);
+  }
+  const Pieces pieces = pieces_of(open, false);
+  std::vector<bool> is_joined(pieces.size.size(), false);
+  for (std::size_t k = 0; k < open.values.size(); ++k) {
+    if (pieces.label[k] >= 0 && region.inside.values[k])
+      is_joined[static_cast<std::size_t>(pieces.label[k])] = true;
+  }
+  std::vector<std::size_t> joined;
+  for (std::size_t k = 0; k < open.values.size(); ++k) {
+    if (pieces.label[k] >= 0 && is_joined[static_cast<std::size_t>(pieces.label[k])])
+      joined.push_back(k);
+  }
+  return joined;
+}
+
 }  // namespace graspless::perception

@@ -35,4 +35,8 @@ struct Region {
 std::vector<Region> regions_of(const Plane& plane, const std::vector<Sighting>& sightings,
                                const NoiseModel& noise, const Options& options);
 
+/// Indices of the cells of the plane that the region may go on to, as nothing was seen below the
+/// plane between them.
+std::vector<std::size_t> joined_to(const Region& region);
+
 }  // namespace graspless::perception

@@ -236,24 +236,15 @@ class Examination {
       fault("plan", "the fingers do not close along the line of contacts");
   }
 
-  /// The contacts are between the fingers, across the width of the pads.
+  /// The contacts are midway between the fingers, and within the width of the pads.
   void check_hand_at_contacts(const VectorXd& q, double uneven) {
-    const Isometry3d X_WH = hand_at(q);
-    const Vector3d y = X_WH.linear().col(1);
-    auto low = interval(q, y, true), high = interval(q, y, false);
-    if (low.first + low.second > high.first + high.second) std::swap(low, high);
-    std::pair<double, double> apart{1e9, -1e9};
-    for (const int i : {0, 1}) {
-      const Vector3d p_W = problem_.X_WO_start * contact(i);
-      if (!(std::abs((X_WH.inverse() * p_W).x()) <= problem_.hand.pad_width / 2 + kUnevenEnd))
-        fault("close", "a contact is beside the pads");
-      apart.first = std::min(apart.first, y.dot(p_W));
-      apart.second = std::max(apart.second, y.dot(p_W));
-    }
-    if (!(std::abs(low.second - apart.first) <= uneven) ||
-        !(std::abs(high.first - apart.second) <= uneven)) {
-      fault("close", "a finger ends elsewhere than its contact");
-    }
+    const Vector3d middle_O = (contact(0) + contact(1)) / 2;
+    const Vector3d off_H =
+        hand_at(q).inverse() * (problem_.X_WO_start * middle_O) - jaw_.at(q).contact_H;
+    if (!(std::abs(off_H.x()) <= problem_.hand.pad_width / 2 + kUnevenEnd))
+      fault("close", "the contacts are beside the pads");
+    if (!(std::abs(off_H.y()) <= uneven))
+      fault("close", "the fingers end elsewhere than the contacts");
   }
 
   Vector3d contact(int i) const { return plan_.contacts_O.col(i); }

@@ -58,6 +58,8 @@ class Jaw {
   /// The hand, closed until its fingers are `width` apart; nothing if it opens or closes less.
   std::optional<Grip> at_width(double width) const;
   /// Distance between the fingers at a configuration of all joints [m].
+  /// The hand at a configuration of all joints.
+  Grip at(const Eigen::VectorXd& q) const;
   double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
   /// Box around each finger of the hand that comes to the object, in H [m].
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
@@ -70,7 +72,6 @@ class Jaw {
   double gap_at(double closing) const { return closed_by(closing).gap; }
 
  private:
-  Grip at(const Eigen::VectorXd& q) const;
   Grip closed_by(double closing) const { return at(q_open_ + closing * (q_closed_ - q_open_)); }
 
   const slide::Problem& problem_;

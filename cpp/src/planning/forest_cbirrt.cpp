@@ -178,11 +178,11 @@ int ForestCBiRRT::extend(Forest& forest, int from, const State* target) {
     const double now_left = si_->distance(next, target);
     constexpr double kProgress = 1e-3;  // a projection may undo all progress of a step
     constexpr double kReached = 1e-12;  // the target may be nearer than that
-    const double most_left = std::max(kReached, left - kProgress * range_);
-    if (now_left > most_left || si_->distance(current, next) > 2 * range_) break;
+    const bool is_nearer = now_left < kReached || now_left <= left - kProgress * range_;
+    if (!is_nearer || si_->distance(current, next) > 2 * range_) break;
     if (!is_motion_valid(start, current, next)) break;
     last = forest.add(next, last);
-    left = now_left;
+    left = now_left < kReached ? 0 : now_left;
   }
   return last;
 }

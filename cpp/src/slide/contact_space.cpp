@@ -183,8 +183,9 @@ std::optional<planning::Path> ContactSpace::connect(const Eigen::VectorXd& from,
     Eigen::VectorXd next = path.back() + std::min(1.0, options_.range / left) * (to - path.back());
     if (left <= options_.range) next = to;
     if (!project(next)) return std::nullopt;
-    const double now_left = (to - next).norm();
-    if (now_left > std::max(1e-12, left - 1e-3 * options_.range) ||
+    double now_left = (to - next).norm();
+    if (now_left < 1e-12) now_left = 0;  // the target may be nearer than the least progress
+    if ((now_left > 0 && now_left > left - 1e-3 * options_.range) ||
         !is_motion_valid(path.back(), next, carried, options_.resolution)) {
       return std::nullopt;
     }

@@ -242,7 +242,8 @@ def _refuse_slide(wish: Wish) -> str:
 def _beyond_reach(wish: Wish, edges: list[int]) -> float:
     """Returns the distance by which the nearest edge is out of reach, seen from above [m].
 
-    It is not known, and minus infinity, if the arm begins with a sliding joint or is moved itself.
+    Minus infinity if the arm begins with a sliding joint, or if another joint moves its base: then
+    it is not known.
     """
     robot = wish.model
     first = robot.group("arm")[0] if "arm" in robot.group_names else 0

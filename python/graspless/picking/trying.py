@@ -165,7 +165,7 @@ def _plan(
                 break
         if doubted and target is not None:  # what came farthest says most
             plan, doubted = max(tried, key=lambda one: len(one[0].stages))
-        if not plan:  # a plan of an earlier seed says more
+        if not plan and not doubted:  # a plan of an earlier seed says more
             plan, doubted = next((one for one in reversed(tried) if one[0]), (plan, doubted))
         if plan and not doubted:
             faults = check(plan)

@@ -107,8 +107,11 @@ class Transforms:
             if frame in down:
                 found: Matrix = np.linalg.inv(down[frame]) @ X_FS
                 return found
-        unconnected = RefusedError(f"tf does not connect the frames '{source}' and '{target}'")
-        raise why or why_not or unconnected
+        parents = {parent for parent, *_ in (*self._fixed.values(), *self._moving.values())}
+        known = parents.union(self._fixed, self._moving)
+        if source in known and target in known and (error := why or why_not):
+            raise error
+        raise RefusedError(f"tf does not connect the frames '{source}' and '{target}'")
 
     def _chain(
         self, frame: str, stamp: float | None

@@ -55,7 +55,7 @@ def squeezed(trajectory: Trajectory, travel: float) -> Trajectory:
         return trajectory
     t = np.linspace(0.0, 1.0, max(2, round(SECONDS * _RATE)) + 1)[1:]
     share, rate, bend = _smooth(t, SECONDS)
-    left = _left(trajectory)[:, k + 1 :]
+    left = _left(trajectory, k)[:, k + 1 :]
 
     def spliced(values: Matrix, added: Matrix) -> Matrix:
         return np.concatenate([values[: k + 1], added, values[k + 1 :]])
@@ -96,7 +96,7 @@ def targets(trajectory: Trajectory, travel: float) -> Matrix:
     """
     k, close = _contact(trajectory, travel)
     found: Matrix = trajectory.positions.copy()
-    found[k:] += _left(trajectory)[0][k:, None] * close
+    found[k:] += _left(trajectory, k)[0][k:, None] * close
     return found
 
 
@@ -117,13 +117,14 @@ def _smooth(t: Matrix, seconds: float) -> tuple[Matrix, Matrix, Matrix]:
     return t**2 * (3 - 2 * t), 6 * t * (1 - t) / seconds, (6 - 12 * t) / seconds**2
 
 
-def _left(trajectory: Trajectory) -> Matrix:
+def _left(trajectory: Trajectory, k: int) -> Matrix:
     """Returns the share of the squeeze at each sample and its first two derivatives by time [3, N].
 
-    It is 1 until the hand opens, and falls to 0 while it does.
+    It is 1 until the hand opens after sample k, and falls to 0 while it does.
     """
     left = np.stack([np.ones(len(trajectory.times)), *2 * [np.zeros(len(trajectory.times))]])
     opens = np.flatnonzero(np.array(trajectory.names) == "open")
+    opens = opens[opens > k]
     if len(opens):
         first, last = opens[0] - 1, opens[-1]
         seconds = float(trajectory.times[last] - trajectory.times[first])

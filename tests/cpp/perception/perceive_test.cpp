@@ -307,6 +307,19 @@ TEST(Perceive, ThingsBesideABoardAreFoundBelowItsTop) {
   }
 }
 
+TEST(Perceive, TheRestOfABoardBehindABoxIsNoObject) {
+  const Scene scene = perceive({view_of({floor(), table(), box_at({0.4, 0.3, 0.02}, {0, 0, 0.41}),
+                                         box_at({0.06, 0.3, 0.1}, {0.08, 0, 0.47})},
+                                        look_at({-0.6, 0, 1.1}, {0, 0, 0.4}))});
+  int boxes = 0;
+  for (const Object& object : scene.objects) {
+    boxes += object.thickness > 0.08;
+    EXPECT_FALSE(object.X_WO.translation().z() < 0.41 && object.thickness < 0.03)
+        << object.X_WO.translation().transpose() << ", " << object.thickness << " m high";
+  }
+  EXPECT_EQ(boxes, 1);
+}
+
 TEST(Perceive, BoxesOfOneHeightThatAreNoSupportAreObjects) {
   const auto box = [](double x, double y) { return on_table({0.16, 0.16, 0.05}, x, y); };
   const Scene scene =

@@ -105,15 +105,20 @@ std::vector<ClaspTarget> in_world(const Eigen::Isometry3d& X_WO, std::vector<Cla
   return targets;
 }
 
-/// Point of a loop nearest to a given point, with the tangent of the nearest of many targets.
-ClaspTarget nearest_target(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
-  constexpr int kTargets = 256;
-  ClaspTarget nearest{loop.col(0), Vector3d::Zero()};
+Vector3d nearest_point(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
+  Vector3d nearest = loop.col(0);
   for (Eigen::Index i = 0; i < loop.cols(); ++i) {
     const Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
     const Vector3d q = a + geometry::nearest_on_segment(p, a, b) * (b - a);
-    if ((q - p).norm() < (nearest.point - p).norm()) nearest.point = q;
+    if ((q - p).norm() < (nearest - p).norm()) nearest = q;
   }
+  return nearest;
+}
+
+/// Point of a loop nearest to a given point, with the tangent of the nearest of many targets.
+ClaspTarget nearest_target(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
+  constexpr int kTargets = 256;
+  ClaspTarget nearest{nearest_point(loop, p), Vector3d::Zero()};
   double least = std::numeric_limits<double>::infinity();
   for (const ClaspTarget& target : geometry::clasp_targets(loop, kTargets)) {
     const double distance = (target.point - nearest.point).norm();
@@ -149,9 +154,10 @@ std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
 std::vector<int> wanted_loops(const Problem& problem) {
   std::vector<int> loops = allowed_loops(problem);
   if (problem.marks.empty()) return loops;
+  std::vector<int> marked;
+  for (const Vector3d& mark : problem.marks) marked.push_back(marked_loop(problem, mark));
   const auto is_unmarked = [&](int loop) {
-    return std::none_of(problem.marks.begin(), problem.marks.end(),
-                        [&](const Vector3d& mark) { return marked_loop(problem, mark) == loop; });
+    return std::find(marked.begin(), marked.end(), loop) == marked.end();
   };
   loops.erase(std::remove_if(loops.begin(), loops.end(), is_unmarked), loops.end());
   return loops;
@@ -233,13 +239,16 @@ std::vector<int> allowed_loops(const Problem& problem) {
 }
 
 int marked_loop(const Problem& problem, const Eigen::Vector3d& mark) {
-  const std::vector<int> loops = allowed_loops(problem);
-  const auto distance = [&](int loop) {
+  int marked = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int loop : allowed_loops(problem)) {
+    poll();
     const auto& points = problem.object.loops().found[static_cast<std::size_t>(loop)].points;
-    return (nearest_target(points, mark).point - mark).norm();
-  };
-  return *std::min_element(loops.begin(), loops.end(),
-                           [&](int a, int b) { return distance(a) < distance(b); });
+    const double distance = (nearest_point(points, mark) - mark).norm();
+    if (distance < least) marked = loop;
+    least = std::min(least, distance);
+  }
+  return marked;
 }
 
 std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Plan& plan) {

@@ -23,7 +23,7 @@ std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Pla
 
 /// Indices of the loops that may be clasped.
 std::vector<int> allowed_loops(const Problem& problem);
-/// The allowed loop that is nearest to a mark.
+/// The allowed loop that is nearest to a mark; of several, the first.
 int marked_loop(const Problem& problem, const Eigen::Vector3d& mark);
 
 }  // namespace graspless::clasp

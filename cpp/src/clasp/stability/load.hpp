@@ -79,7 +79,7 @@ class LoadTester {
 /// A joint without effort limit of a hand of two fingers, if a load is to be tested. Such a joint
 /// of another hand is taken as one that never gives way.
 std::optional<int> missing_effort(const Problem& problem, const StabilityOptions& options);
-/// Throws std::invalid_argument if there is one.
+/// Throws std::invalid_argument if missing_effort() finds a joint.
 void require_efforts(const Problem& problem, const StabilityOptions& options);
 
 }  // namespace graspless::clasp

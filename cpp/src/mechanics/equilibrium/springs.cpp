@@ -128,14 +128,11 @@ double slip_limit(const Spring& spring, const Eigen::Vector3d& force,
   const double a = slips.squaredNorm() - mu2 * grows * grows;
   const double b = along.dot(slips) - mu2 * normal * grows;
   const double c = std::min(0.0, along.squaredNorm() - mu2 * normal * normal);
-  if (c == 0) {  // on the cone, also without friction
-    if (b > 0 || (b == 0 && a > 0)) return 0;
-    return a > 0 ? -2 * b / a : Spring::kUnlimited;
-  }
+  if (c == 0 && b == 0) return a > 0 ? 0 : Spring::kUnlimited;
   const double root = b * b - a * c;
-  double t = Spring::kUnlimited;
-  if (root >= 0 && b + std::sqrt(root) > 0) t = -c / (b + std::sqrt(root));
-  return t;
+  if (root < 0) return Spring::kUnlimited;
+  if (b < 0) return a > 0 ? (std::sqrt(root) - b) / a : Spring::kUnlimited;
+  return b + std::sqrt(root) > 0 ? -c / (b + std::sqrt(root)) : Spring::kUnlimited;
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ TEST(Compliant, ForcesOnTheEdgeOfTheirCone) {
   EXPECT_EQ(limit(0.5, edge, {1, 0, 0}), 0);
   EXPECT_DOUBLE_EQ(limit(0.5, edge, {-1, 0, 0}), 1);
   EXPECT_EQ(limit(0.5, edge, {0, 1, 0}), 0);
+  EXPECT_NEAR(limit(0.7195, {0.95145, -10.43715, 14.565}, {-0.39678, 1.43196, 0}), 13.88, 0.05);
   EXPECT_EQ(limit(0.5, edge, {0, 0, 1}), Spring::kUnlimited);
   EXPECT_EQ(limit(0, {0, 0, 1}, {1, 0, 0}), 0);
   EXPECT_EQ(limit(0, {0, 0, 1}, {0, 0, 1}), Spring::kUnlimited);
