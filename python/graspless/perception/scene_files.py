@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -194,6 +195,9 @@ def load_scene(path: str | Path) -> Scene:
         A file is missing or not valid; names file, line, field and value.
     """
     path = Path(path)
+    with contextlib.suppress(OSError):  # of a name that is too long
+        if not path.is_file():
+            raise TaskError(f"{path}: {files.absence(path)}")
     source = read_yaml(path)
     fields: SceneFields = source.validate(SceneFields)
     clouds = _clouds(fields, source, path.parent)
