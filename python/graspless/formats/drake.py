@@ -43,7 +43,8 @@ def write(trajectory: Trajectory, path: Path | str) -> None:
 def _write_folder(trajectory: Trajectory, folder: Path) -> None:
     found, robot = things(trajectory)
     meshes = Meshes()
-    fingers = [thing for thing in found if thing.name in finger_names(trajectory)]
+    tips = finger_names(trajectory)
+    fingers = [thing for thing in found if thing.name in tips]
     fixed = [t for t in found if t.name != OBJECT and t not in fingers]
     written = {"object.sdf": model_sdf([t for t in found if t.name == OBJECT], OBJECT, meshes)}
     if robot is not None:

@@ -250,8 +250,8 @@ def _beyond_reach(wish: Wish, edges: list[int]) -> float:
     links = range(len(robot.frame_names))
     q = robot.clamp(np.zeros(robot.dof))
     moved = next(link for link in links if robot.jacobian(link, q)[:, first].any())
-    turns, movers = robot.jacobian(moved, q)[3:], np.flatnonzero(robot.jacobian(moved, q).any(0))
-    if not turns[:, first].any() or len(movers) > 1:
+    J = robot.jacobian(moved, q)
+    if not J[3:, first].any() or np.count_nonzero(J.any(axis=0)) > 1:
         return -np.inf
     reach = max(float(robot.reach(link)[first]) for link in links)
     ring = np.asarray(wish.support.polygon)

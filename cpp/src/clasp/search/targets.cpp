@@ -17,6 +17,7 @@
 #include "clasp/search/hole.hpp"
 #include "clasp/search/pull.hpp"
 #include "clasp/stability/pinch.hpp"
+#include "clasp/stability/sequences.hpp"
 #include "geometry/segment.hpp"
 
 namespace graspless::clasp {
@@ -105,20 +106,15 @@ std::vector<ClaspTarget> in_world(const Eigen::Isometry3d& X_WO, std::vector<Cla
   return targets;
 }
 
-Vector3d nearest_point(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
-  Vector3d nearest = loop.col(0);
-  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
-    const Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
-    const Vector3d q = a + geometry::nearest_on_segment(p, a, b) * (b - a);
-    if ((q - p).norm() < (nearest - p).norm()) nearest = q;
-  }
-  return nearest;
-}
-
 /// Point of a loop nearest to a given point, with the tangent of the nearest of many targets.
 ClaspTarget nearest_target(const Eigen::Matrix3Xd& loop, const Vector3d& p) {
   constexpr int kTargets = 256;
-  ClaspTarget nearest{nearest_point(loop, p), Vector3d::Zero()};
+  ClaspTarget nearest{loop.col(0), Vector3d::Zero()};
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
+    const Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
+    const Vector3d q = a + geometry::nearest_on_segment(p, a, b) * (b - a);
+    if ((q - p).norm() < (nearest.point - p).norm()) nearest.point = q;
+  }
   double least = std::numeric_limits<double>::infinity();
   for (const ClaspTarget& target : geometry::clasp_targets(loop, kTargets)) {
     const double distance = (target.point - nearest.point).norm();
@@ -244,7 +240,7 @@ int marked_loop(const Problem& problem, const Eigen::Vector3d& mark) {
   for (const int loop : allowed_loops(problem)) {
     poll();
     const auto& points = problem.object.loops().found[static_cast<std::size_t>(loop)].points;
-    const double distance = (nearest_point(points, mark) - mark).norm();
+    const double distance = distance_to_loop(points, mark);
     if (distance < least) marked = loop;
     least = std::min(least, distance);
   }
