@@ -262,6 +262,7 @@ void StabilityBounds::store(int instant, const Bound& bound) {
     ++count_;
   } else {
     column = p.oldest;
+    p.has_forgotten = true;
     p.oldest = (p.oldest + 1) % width_;
   }
   const auto col = static_cast<std::size_t>(column);

@@ -50,6 +50,8 @@ class StabilityBounds {
   /// Grows whenever bounds at this instant may have changed; at any instant.
   std::int64_t stamp(int instant) const { return pool(instant).stamp; }
   std::int64_t stamp() const { return stamp_; }
+  /// True once a functional has given way to another: bounds at this instant may have risen.
+  bool has_forgotten(int instant) const { return pool(instant).has_forgotten; }
 
   /// The table as it lies in memory: used() floats at an instant and a location, to be added up
   /// over the fingers and to offsets(); the least sum is the bound.
@@ -67,6 +69,7 @@ class StabilityBounds {
     int standing = -1;    // instants whose environments are the same in the world share a number
     std::size_t row = 0;  // place in all_
     int size = 0, oldest = 0;
+    bool has_forgotten = false;
     std::int64_t stamp = 0;
     std::vector<float> offsets, y;     // width; 6 x width
     std::vector<std::int64_t> stamps;  // of each functional

@@ -3,10 +3,12 @@
 #include "fingertip/lazy/listing.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace graspless::fingertip {
 namespace {
 
+constexpr float kNone = std::numeric_limits<float>::infinity();
 constexpr float kLevel = 0.85F;       // from one level of stability to the next
 constexpr double kRounding = 1e-9;    // of costs summed in another order
 constexpr double kRoundFloat = 1e-6;  // of stabilities in single precision
@@ -17,7 +19,7 @@ Listing::Listing(LazyState& lazy)
     : lazy_(lazy),
       clear_(clear_locations(lazy.graph, 0, lazy.graph.num_arcs())),
       single_(lazy.candidates.instants().size() == 1),
-      level_(kFree),
+      level_(kNone),
       least_cost_(lazy.displacements.least_whole()) {
   const std::vector<int>& all = lazy.candidates.instants();
   instants_ = {all.front(), all.back(), all[all.size() / 2]};
@@ -25,8 +27,12 @@ Listing::Listing(LazyState& lazy)
   seed_bounds(lazy, clear_, instants_);
 }
 
+bool Listing::begins_anew() const {
+  return single_ && lazy_.bounds.has_forgotten(instants_.front());
+}
+
 void Listing::next(const std::function<void(const Placement&, double)>& found) {
-  const float before = level_;
+  const float before = begins_anew() ? kNone : level_;
   const float least = lazy_.min_stability;
   level_ = single_ ? std::max(least, next_level()) : least;
   for_each_placement(lazy_.graph, lazy_.bounds, lazy_.count, clear_, instants_, level_, lazy_.crew,

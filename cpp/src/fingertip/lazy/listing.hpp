@@ -16,6 +16,9 @@ class Listing {
  public:
   explicit Listing(LazyState& lazy);
 
+  /// True if next() begins anew, and what it found before is void. Bounds that have risen do not
+  /// tell which placements have been found.
+  bool begins_anew() const;
   /// Calls found(placement, cost) for some more.
   void next(const std::function<void(const Placement&, double)>& found);
   /// No placement that next() has still to find costs less; infinite if there is none.

@@ -108,6 +108,7 @@ class Frontier {
   /// Lists some of the placements that can carry the object all the way.
   void list_placements() {
     if (!listing_) listing_.emplace(lazy_);
+    if (listing_->begins_anew()) first_placement_ = static_cast<int>(placements_.size());
     listing_->next([&](const Placement& placement, double cost) {
       push({cost, Entry::Kind::placement, static_cast<int>(placements_.size())});
       placements_.push_back(placement);
@@ -117,6 +118,7 @@ class Frontier {
   }
 
   void open(Entry entry) {
+    if (entry.index < first_placement_) return;
     const Placement& placement = placements_[static_cast<std::size_t>(entry.index)];
     const double now = listing_->cost(placement);
     if (now > entry.cost) {
@@ -212,6 +214,7 @@ class Frontier {
   std::optional<Listing> listing_;
   std::priority_queue<Entry, Growing<Entry>> queue_;
   Growing<Placement> placements_;
+  int first_placement_ = 0;                    // those before have been listed again
   std::vector<Entry> waiting_, last_waiting_;  // for stabilities, of this round and the last
 };
 
