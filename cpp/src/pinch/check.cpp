@@ -120,7 +120,7 @@ class Examination {
   /// The hand that comes to the object: open, or closed as far as options.opening asks.
   VectorXd coming() const {
     const VectorXd open = problem_.robot.state(problem_.hand.open, problem_.q_home),
-                   closed = problem_.robot.state(problem_.hand.closed, problem_.q_home);
+                   closed = problem_.robot.state(problem_.hand.closed, open);
     if (!options_.opening || jaw_.gap(open) <= *options_.opening) return open;
     double less = 0, more = 1;  // closed
     constexpr int kHalvings = 40;

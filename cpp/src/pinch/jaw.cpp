@@ -130,7 +130,7 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
   own_ = shapes_of(problem.robot, problem.hand.sliding_finger);
   others_ = shapes_of(problem.robot, others);
   q_open_ = problem.robot.state(problem.hand.open, problem.q_home);
-  q_closed_ = problem.robot.state(problem.hand.closed, problem.q_home);
+  q_closed_ = problem.robot.state(problem.hand.closed, q_open_);
   for (const int joint : problem.robot.group(problem.hand.arm)) {
     q_open_[joint] = q_closed_[joint] = problem.q_home[joint];
   }

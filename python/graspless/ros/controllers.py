@@ -13,6 +13,7 @@ import numpy as np
 from control_msgs.action import FollowJointTrajectory
 from rclpy.action import ActionClient
 
+from ..errors import explain
 from .halting import HaltedError, Timer, positions
 from .messages import RefusedError, time_of, trajectory_of
 
@@ -209,13 +210,12 @@ class Controllers:
                 orders.append(_Order(self._clients[name], name, message))
             self._await_acceptance(orders, cancel)
             self._watch(orders, found, timer, cancel, tell)
-        except (HaltedError, RefusedError) as error:
+        except Exception as error:
             left = self._withdraw(orders)
             status = error.status if isinstance(error, HaltedError) else "stopped"
-            raise HaltedError(status, f"{error}{left}") from None
-        except BaseException:
-            self._withdraw(orders)
-            raise
+            is_ours = isinstance(error, (HaltedError, RefusedError))
+            reason = str(error) if is_ours else explain(error)
+            raise HaltedError(status, f"{reason}{left}") from error
 
     def _require_ready(self, found: Found, parts: list[Part]) -> None:
         if not parts:

@@ -195,10 +195,10 @@ bool GoalSearch::run() {
   return best_cost_ < kInfinity || clock_.is_out();
 }
 
-/// True if the tumbles alone, on a floor without walls, cannot be done with one placement. No path
-/// over these edges can then.
+/// True if the tumbles alone, on the floor without obstacles, cannot be done with one placement. No
+/// path over these edges can then, unless a wall supports the object on the way.
 bool GoalSearch::needs_regrasp(Sequence& sequence) {
-  if (!sequence.failed) return false;
+  if (!sequence.failed || context_.problem.planes.size() > 1) return false;
   if (!sequence.needs_regrasp) {
     if (!on_floor_) on_floor_ = std::make_unique<SearchContext>(floor_problem_, context_.options);
     const PoseGraph graph(floor_problem_, sequence.tumbles, on_floor_->locations,
