@@ -101,10 +101,11 @@ class Classifier {
       const bool is_near = z > 0 && std::abs(h) <= limit;
       sum[u] = is_near ? h : 0;
       count[u] = is_near ? 1 : 0;
-      level[u] = !(z > 0)    ? Level::missing
-                 : h > limit ? Level::above
-                 : is_near   ? Level::level
-                             : Level::below;
+      level[u] = !(z > 0)     ? Level::missing
+                 : h > limit  ? Level::above
+                 : is_near    ? Level::level
+                 : camera > 0 ? Level::below
+                              : Level::missing;  // a ray from below that ends before the plane
     }
   }
 

@@ -123,7 +123,8 @@ bool is_partly_hidden(const Cluster& cluster, const std::vector<Sighting>& sight
       const double other = static_cast<double>(sight.depth(v, u));
       return other > 0 && other < z - step;
     };
-    hidden += is_nearer(kBeside, 0) || is_nearer(0, kBeside) || is_nearer(0, -kBeside);
+    hidden += is_nearer(kBeside, 0) || is_nearer(-kBeside, 0) || is_nearer(0, kBeside) ||
+              is_nearer(0, -kBeside);
   }
   const double around = 4 * std::sqrt(static_cast<double>(cluster.pixels.size()));
   return static_cast<double>(hidden) > 0.15 * around;

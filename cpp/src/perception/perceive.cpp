@@ -19,7 +19,8 @@ constexpr double kLeastShare = 0.05;  // of the pixels that have a depth
 constexpr double kUsualTilt = 0.05;   // [rad]
 constexpr double kNoisy = 2;          // times the expected noise
 constexpr double kSlab = 0.06;        // sides of a support are this high at most [m],
-constexpr double kBeside = 0.03;      // and seen this far beside it
+constexpr double kAside = 0.01;       // and seen this far beside it;
+constexpr double kBeside = 0.03;      // the noise of its plane is seen farther [m]
 
 template <class... Parts>
 std::string say(const Parts&... parts) {
@@ -159,7 +160,8 @@ class Builder {
   /// Lower supports must not take this one, or its sides, for an object. What lies elsewhere in its
   /// plane, or a little below that, may be one.
   void claim_support(const Region& region, const std::vector<Sighting>& sightings) {
-    Raster near = region.inside;
+    Raster sides = region.inside, near = region.inside;
+    grow(sides, static_cast<int>(std::ceil(kAside / sides.cell)));
     for (std::size_t k : joined_to(region)) near.values[k] = 1;
     grow(near, static_cast<int>(std::ceil(kBeside / near.cell)));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
@@ -174,7 +176,8 @@ class Builder {
           if (heights.level(v, u) != Level::level && !is_side) continue;
           const auto z = static_cast<double>(sight.depth(v, u));
           const Eigen::Vector3d p = rays.at_depth(u, v, z);
-          if (near.at(near.column(p.x()), near.row(p.y()))) claims_[i](v, u) = true;
+          const Raster& taken = is_side ? sides : near;
+          if (taken.at(taken.column(p.x()), taken.row(p.y()))) claims_[i](v, u) = true;
         }
       }
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -125,8 +126,9 @@ std::optional<Plane> best_plane(const std::vector<Cell>& cells, std::uint64_t se
   return best;
 }
 
-/// Areas and noise count one view only where several see the same place.
-void measure_plane(Plane& plane) {
+/// Areas and noise count one view only where several see the same place. Returns the area in all
+/// views.
+double measure_plane(Plane& plane) {
   std::vector<double> of_view, roughness;
   for (const Cell& cell : plane.cells) {
     of_view.resize(std::max(of_view.size(), static_cast<std::size_t>(cell.view) + 1));
@@ -134,10 +136,11 @@ void measure_plane(Plane& plane) {
     roughness.push_back(cell.roughness);
   }
   plane.area = of_view.empty() ? 0 : *std::max_element(of_view.begin(), of_view.end());
-  if (roughness.empty()) return;
+  if (roughness.empty()) return 0;
   const auto middle = roughness.begin() + static_cast<std::ptrdiff_t>(roughness.size() / 2);
   std::nth_element(roughness.begin(), middle, roughness.end());
   plane.noise_scale = *middle;
+  return std::accumulate(of_view.begin(), of_view.end(), 0.0);
 }
 
 }  // namespace
@@ -152,11 +155,14 @@ std::vector<Plane> find_planes(std::vector<Cell> cells, const Options& options, 
   for (std::uint64_t i = 0; cells.size() >= 3 && planes.size() < kMostPlanes; ++i) {
     auto plane = best_plane(cells, options.seed + i);
     if (!plane) break;
-    measure_plane(*plane);
-    if (plane->cells.size() < 3 || plane->area < options.min_support_area) break;
+    const double most = measure_plane(*plane);
+    if (plane->cells.size() < 3 || most < options.min_support_area) break;
     const auto lies = [&](const Cell& cell) { return lies_in(cell, *plane); };
     cells.erase(std::remove_if(cells.begin(), cells.end(), lies), cells.end());
-    if (std::abs(plane->n_W.z()) >= std::cos(options.max_tilt)) planes.push_back(*plane);
+    const bool is_large = plane->area >= options.min_support_area;
+    if (is_large && std::abs(plane->n_W.z()) >= std::cos(options.max_tilt)) {
+      planes.push_back(*plane);
+    }
   }
   return planes;
 }

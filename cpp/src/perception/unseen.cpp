@@ -142,6 +142,40 @@ bool is_seen_by_another(const Eigen::Matrix3Xd& corners, const std::vector<Sight
   return true;
 }
 
+/// Rectangles that cover a piece and not much else: one that is mostly empty is halved.
+std::vector<Eigen::AlignedBox2i> cover_piece(const Pieces& pieces, const Raster& raster, int label,
+                                             const Eigen::AlignedBox2i& around) {
+  constexpr double kFull = 0.6;  // least share of a rectangle
+  constexpr int kFinest = 8;     // cells along a side
+  std::vector<Eigen::AlignedBox2i> parts, open{around};
+  while (!open.empty()) {
+    const Eigen::AlignedBox2i all = open.back();
+    open.pop_back();
+    Eigen::AlignedBox2i box;
+    int count = 0;
+    for (int y = all.min().y(); y <= all.max().y(); ++y) {
+      for (int x = all.min().x(); x <= all.max().x(); ++x) {
+        if (pieces.label[raster.index(x, y)] != label) continue;
+        box.extend(Eigen::Vector2i(x, y));
+        ++count;
+      }
+    }
+    if (count == 0) continue;
+    const Eigen::Vector2i sides = box.sizes() + Eigen::Vector2i::Ones();
+    if (count >= kFull * sides.prod() || sides.maxCoeff() <= kFinest) {
+      parts.push_back(box);
+      continue;
+    }
+    const int axis = sides.x() >= sides.y() ? 0 : 1;
+    Eigen::AlignedBox2i low = box, high = box;
+    low.max()[axis] = box.min()[axis] + sides[axis] / 2 - 1;
+    high.min()[axis] = low.max()[axis] + 1;
+    open.push_back(high);
+    open.push_back(low);
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<geometry::Convex> shadows(const Cluster& cluster, const Region& region,
@@ -165,27 +199,29 @@ std::vector<geometry::Convex> patches(const Region& region, const Options& optio
   }
   close_gaps(unknown);
   const Pieces pieces = pieces_of(unknown, true);
-  std::vector<Eigen::AlignedBox2d> boxes(pieces.size.size());
+  std::vector<Eigen::AlignedBox2i> boxes(pieces.size.size());
   for (int y = 0; y < unknown.ny; ++y) {
     for (int x = 0; x < unknown.nx; ++x) {
       const int label = pieces.label[unknown.index(x, y)];
-      if (label < 0) continue;
-      const Eigen::Array2d half = Eigen::Array2d::Constant(unknown.cell / 2);
-      const Eigen::Array2d middle = unknown.center(x, y).array();
-      boxes[static_cast<std::size_t>(label)].extend((middle - half).matrix());
-      boxes[static_cast<std::size_t>(label)].extend((middle + half).matrix());
+      if (label >= 0) boxes[static_cast<std::size_t>(label)].extend(Eigen::Vector2i(x, y));
     }
   }
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(unknown.cell / 2);
   std::vector<geometry::Convex> shapes;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const double area = static_cast<double>(pieces.size[k]) * unknown.cell * unknown.cell;
-    if (area < kLeastPatch || boxes[k].sizes().minCoeff() < 5 * unknown.cell) continue;
-    Eigen::Matrix3Xd corners(3, 8);
-    for (int i = 0; i < 8; ++i) {
-      const auto corner = boxes[k].corner(static_cast<Eigen::AlignedBox2d::CornerType>(i % 4));
-      corners.col(i) << corner.x(), corner.y(), i < 4 ? 0 : options.unseen_height;
+    if (area < kLeastPatch || boxes[k].sizes().minCoeff() + 1 < 5) continue;
+    for (const Eigen::AlignedBox2i& part :
+         cover_piece(pieces, unknown, static_cast<int>(k), boxes[k])) {
+      const Eigen::AlignedBox2d box(unknown.center(part.min().x(), part.min().y()) - half,
+                                    unknown.center(part.max().x(), part.max().y()) + half);
+      Eigen::Matrix3Xd corners(3, 8);
+      for (int i = 0; i < 8; ++i) {
+        const auto corner = box.corner(static_cast<Eigen::AlignedBox2d::CornerType>(i % 4));
+        corners.col(i) << corner.x(), corner.y(), i < 4 ? 0 : options.unseen_height;
+      }
+      shapes.push_back({region.X_WS * corners});
     }
-    shapes.push_back({region.X_WS * corners});
   }
   return shapes;
 }

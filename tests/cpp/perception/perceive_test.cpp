@@ -307,6 +307,89 @@ TEST(Perceive, ThingsBesideABoardAreFoundBelowItsTop) {
   }
 }
 
+TEST(Perceive, ThingsCloseToABoardKeepTheirPixels) {
+  const Body board = box_at({0.3, 0.3, 0.02}, {0.1, 0.1, 0.41});
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    const auto seen = [&](const std::vector<Body>& bodies) {
+      return perceive({view_of(bodies, look_at({-0.6, 0, 1.3}, {0, 0, 0.4}), 1, seed)});
+    };
+    const Eigen::Vector2d center(-0.05 - 0.015 - 0.025, 0.1);
+    const Scene scene =
+        seen({floor(), table(), board, on_table({0.05, 0.08, 0.015}, center.x(), center.y())});
+    ASSERT_EQ(scene.objects.size(), 1u) << scene.reason;
+    EXPECT_LT((scene.objects[0].X_WO.translation().head<2>() - center).norm(), 0.004);
+    EXPECT_TRUE(seen({floor(), table(), board}).objects.empty());  // its sides are none
+  }
+}
+
+TEST(Perceive, AViewFromBelowTellsNothingOfWhereATableEnds) {
+  const Eigen::Isometry3d beside = look_at({-0.7, 0.5, 0.75}, {-0.1, 0.3, 0.4});
+  const View above = view_of({floor(), table()}, beside),
+             below = view_of({floor(), table()}, look_at({-0.9, 0, 0.2}, {0, 0, 0.3}));
+  for (const auto& views : {std::vector<View>{above}, std::vector<View>{above, below}}) {
+    const Scene scene = perceive(views);
+    const Support* support = table_in(scene);
+    ASSERT_NE(support, nullptr);
+    EXPECT_LT(lengths_of(*support)[EdgeLabel::real], 2.0);  // the image ends across the table
+    expect_real_edges_are_true(*support);
+  }
+}
+
+TEST(Perceive, ACameraOnItsSideSeesAsMuch) {
+  Eigen::Isometry3d X_WC = look_at({-0.95, 0, 0.65}, {0, 0, 0.4});
+  for (int turn = 0; turn < 4; ++turn) {
+    const Scene scene =
+        perceive({view_of({floor(), table(), on_table({0.2, 0.15, 0.05}, 0.1, 0)}, X_WC)});
+    EXPECT_EQ(scene.objects.size(), 1u) << turn << ": " << scene.reason;
+    X_WC.linear() *= Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
+}
+
+TEST(Perceive, ATopThatManyViewsSeeHidesNoTable) {
+  const std::vector<Body> bodies{floor(), table(), on_table({0.24, 0.24, 0.1}, 0, 0)};
+  std::vector<View> views;
+  for (int i = 0; i < 4; ++i) {
+    View view = view_of(bodies, eye(), 1, static_cast<std::uint64_t>(i));
+    for (int v = 0; v < view.depth.rows(); ++v) {
+      for (int u = 0; u < view.depth.cols(); ++u) {
+        const Eigen::Vector3d ray = view.K.inverse() * Eigen::Vector3d(u, v, 1);
+        const Eigen::Vector3d p = view.X_WC * (ray * static_cast<double>(view.depth(v, u)));
+        if (p.z() < 0.45 && (i > 0 || p.x() > -0.05)) view.depth(v, u) = 0;
+      }
+    }
+    views.push_back(view);
+  }
+  const Scene scene = perceive(views);
+  EXPECT_NE(table_in(scene), nullptr) << scene.reason;
+}
+
+TEST(Perceive, WhatIsUnknownAroundAnObjectIsNotWhereTheObjectIs) {
+  View view = view_of({floor(), table(), on_table({0.08, 0.08, 0.05}, 0, 0)},
+                      look_at({0, 0.001, 1.2}, {0, 0, 0.4}));
+  for (int v = 0; v < view.depth.rows(); ++v) {
+    for (int u = 0; u < view.depth.cols(); ++u) {
+      const Eigen::Vector3d ray = view.X_WC.linear() * view.K.inverse() * Eigen::Vector3d(u, v, 1);
+      const double z = (0.4 - view.X_WC.translation().z()) / ray.z();
+      const Eigen::Vector3d p = view.X_WC * (view.X_WC.linear().transpose() * ray * z);
+      const double radius = p.head<2>().lpNorm<Eigen::Infinity>();
+      if (radius > 0.08 && radius < 0.12) view.depth(v, u) = 0;
+    }
+  }
+  const Scene scene = perceive({view});
+  ASSERT_EQ(scene.objects.size(), 1u) << scene.reason;
+  const Eigen::Vector3d middle = scene.objects[0].X_WO.translation();
+  int patches = 0;
+  for (const Unseen& space : scene.unseen) {
+    if (!space.behind.empty()) continue;
+    ++patches;
+    const Eigen::Vector3d least = space.shape.vertices.rowwise().minCoeff(),
+                          most = space.shape.vertices.rowwise().maxCoeff();
+    EXPECT_TRUE(((middle - least).head<2>().array() < 0).any() ||
+                ((most - middle).head<2>().array() < 0).any());
+  }
+  EXPECT_GT(patches, 0);
+}
+
 TEST(Perceive, TheRestOfABoardBehindABoxIsNoObject) {
   const Scene scene = perceive({view_of({floor(), table(), box_at({0.4, 0.3, 0.02}, {0, 0, 0.41}),
                                          box_at({0.06, 0.3, 0.1}, {0.08, 0, 0.47})},
