@@ -99,10 +99,17 @@ struct Field {
 template <class Struct, class Value>
 Field(const char*, Value Struct::*, std::string) -> Field<Struct, Value>;
 
+template <class Value>
+constexpr bool is_optional = false;
+template <class Item>
+constexpr bool is_optional<std::optional<Item>> = true;
+
+/// A reference to a part of the struct, but a copy of an optional part: once None is assigned,
+/// there is nothing to refer to.
 template <class Struct, class Value>
 void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
   using Type = Python<Value>;
-  if constexpr (std::is_same_v<typename Type::Given, Value>) {
+  if constexpr (std::is_same_v<typename Type::Given, Value> && !is_optional<Value>) {
     cls.def_readwrite(field.name, field.member, field.doc.c_str());
   } else {
     cls.def_property(

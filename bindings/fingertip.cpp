@@ -334,7 +334,9 @@ void bind_problem(py::module_& m) {
       .def_property_readonly(
           "friction", [](const Problem& self) { return Friction::shown(self.friction); },
           "(lower, upper) coefficient of friction between object and planes without their own.")
-      .def_readonly("motion", &Problem::motion, "A Path, Lattice or Goal; a copy.")
+      .def_property_readonly(
+          "motion", [](const Problem& self) { return self.motion; },
+          "A Path, Lattice or Goal; a copy.")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in the world.")
       .def_property_readonly(
           "gravity_W", [](const Problem& self) { return self.gravity_W; },

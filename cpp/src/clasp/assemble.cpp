@@ -177,7 +177,9 @@ void remember_escape(Query& query, int loop, const Clasp& clasp) {
 /// Tests a closed hand. Returns why the clasp is refused; empty if it is not.
 std::string test_closed(Query& query, ClaspSearch& search, Clasp& clasp) {
   const Eigen::VectorXd& q = clasp.close.back();
-  if (!search.is_clasped(q)) return "clasp: a finger loses the loop while it closes";
+  if (!search.is_linked(clasp.reach.back()) || !search.is_clasped(q)) {
+    return "clasp: a finger loses the loop while it closes";
+  }
   const geometry::ClaspTarget* held = search.held_target_W(q);
   if (!held) return "clasp: away from every target";
   clasp.target_W = *held;

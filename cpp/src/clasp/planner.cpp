@@ -16,6 +16,7 @@
 #include "clasp/stability/load.hpp"
 #include "clasp/variants.hpp"
 #include "planning/plan_within.hpp"
+#include "text.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -93,6 +94,13 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
   plan.statistics.seconds = clock.seconds();
 }
 
+void warn_of_gap(const Problem& problem, Plan& plan) {
+  const double gap = problem.object.loops().found[static_cast<std::size_t>(plan.loop)].gap;
+  if (gap == 0) return;
+  plan.warnings.push_back("the clasped loop crosses a gap of " + figure(gap, 3) +
+                          " m without points; the object may come free there");
+}
+
 Plan searched(const Problem& problem, const Options& options, planning::Clock& clock,
               std::uint64_t seed) {
   validate(problem);
@@ -134,6 +142,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
     }
   });  // counters and reason stay if the time ends in the middle of a test
   variants.report_to(query);
+  if (plan) warn_of_gap(problem, plan);
   if (!plan && !searches.empty()) plan.status = failure(query);
   conclude(query, searches, plan);
   return plan;

@@ -145,6 +145,9 @@ class Assembler {
     contacts_.push_back({contact_set(instants_[instant], locations_, problem_.fingers, at),
                          evaluator_.control_modes(instant, at, previous)});
     const mechanics::ControlModes& best = contacts_.back().best;
+    if (best.modes.size() != fingers.size()) {
+      throw std::logic_error("no modes of the fingers hold a row that the search called stable");
+    }
     Row row;
     row.stability = best.stability.z;
     modes_.resize(slots_.size(), FingerMode::position);

@@ -52,7 +52,7 @@ SearchContext::SearchContext(const Problem& problem_in, const Options& options_i
       options(options_in),
       locations(problem.object, problem.fingers, options),
       instants(problem, options) {
-  for (int i = 0; i < std::max(kPoolSize, options.threads); ++i) {
+  for (int i = 0; i < kPoolSize; ++i) {
     evaluators.emplace_back(instants, locations, options);
   }
 }

@@ -95,22 +95,27 @@ Poses poses_after(const Plan& plan, std::size_t segment, const Place& place) {
   return left;
 }
 
-/// Drops poses that the object has reached.
-void drop_reached(const Object& object, const Eigen::Isometry3d& X_WO, Poses& left) {
-  const auto is_reached = [&](const Eigen::Isometry3d& pose) {
-    return (pose * object.hull() - X_WO * object.hull()).colwise().norm().maxCoeff() <
-           1e-6 * object.size();
-  };
-  while (!left.empty() && is_reached(left.front())) left.erase(left.begin());
+bool is_reached(const Object& object, const Eigen::Isometry3d& X_WO,
+                const Eigen::Isometry3d& pose) {
+  return (pose * object.hull() - X_WO * object.hull()).colwise().norm().maxCoeff() <
+         1e-6 * object.size();
 }
 
-/// The places of the fingers during a segment; in a regrasp, those after it.
+/// Drops poses that the object has reached.
+void drop_reached(const Object& object, const Eigen::Isometry3d& X_WO, Poses& left) {
+  while (!left.empty() && is_reached(object, X_WO, left.front())) left.erase(left.begin());
+}
+
+bool is_regrasp(const Plan& plan, std::size_t segment) {
+  return segment < plan.segments.size() && plan.segments[segment].finger >= 0;
+}
+
+/// The places of the fingers during a segment; in a regrasp, those after it and those that follow.
 std::vector<Eigen::Vector3d> places_in(const Plan& plan, std::size_t segment) {
-  const bool is_regrasp = plan.segments[segment].finger >= 0;
+  while (is_regrasp(plan, segment)) ++segment;
   const std::size_t last = plan.segments.size() - 1;
   std::vector<Eigen::Vector3d> places;
-  for (const FingerState& finger :
-       plan.segments[std::min(segment + (is_regrasp ? 1 : 0), last)].rows.front().fingers) {
+  for (const FingerState& finger : plan.segments[std::min(segment, last)].rows.front().fingers) {
     places.push_back(finger.p_OC);
   }
   return places;
@@ -193,6 +198,12 @@ Rest resume(const Problem& problem, const Plan& plan, int segment, const Eigen::
     fault = fault_of(rest.problem, options);
     if (!fault.empty()) continue;
     rest.plan = fingertip::plan(rest.problem, options, budget);
+    if (!rest.plan && is_regrasp(plan, s + 1) &&
+        is_reached(problem.object, plan.segments[s].X_WO.back(), place.X_WO)) {
+      rest.plan.reason +=
+          "; the plan regrasps at this pose: do that first, and resume after segment " +
+          std::to_string(s + 1);
+    }
     if (!as_measured) {
       std::ostringstream warning;
       warning.precision(3);

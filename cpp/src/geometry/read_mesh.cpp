@@ -97,7 +97,7 @@ bool read_line(std::istream& file, std::string& line) {
 }
 
 /// Returns the vertices and faces of a .obj file. CGAL refuses elements that it does not know, like
-/// lines.
+/// lines, and does not end a corner of a face at a tab.
 std::stringstream surface_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream surface;
@@ -106,7 +106,9 @@ std::stringstream surface_of(const std::string& path) {
     const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
     const bool is_kept = (line[first] == 'v' || line[first] == 'f') &&
                          (line[first + 1] == ' ' || line[first + 1] == '\t');
-    if (is_kept) surface << line << '\n';
+    if (!is_kept) continue;
+    std::replace(line.begin(), line.end(), '\t', ' ');
+    surface << line << '\n';
   }
   return surface;
 }

@@ -259,7 +259,7 @@ bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd&
   if (length == 0) return scene_.is_free(q1);
   const double rows = std::ceil(length / row_step);
   const double steps = rows * looks(length / rows, resolution);
-  return scene_.is_free(q1, q2, length / steps * kRounding);
+  return scene_.is_free(q1, q2, scene_.robot().step(q1, q2) / steps * kRounding);
 }
 
 bool HandScene::is_motion_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,

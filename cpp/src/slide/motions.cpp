@@ -61,8 +61,12 @@ bool Motions::is_pair_valid(const Eigen::VectorXd& start, const Eigen::VectorXd&
 /// is to be left.
 bool Motions::is_goal(Handling& handling) {
   if (query_.object_end) {
-    if (is_at_end(*query_.object_end, handling.object_goal)) return true;
-    query_.refuse("pair: the object ends elsewhere");
+    if (!is_at_end(*query_.object_end, handling.object_goal)) {
+      query_.refuse("pair: the object ends elsewhere");
+      return false;
+    }
+    if (is_supported(query_.problem, handling.object_goal, query_.options.com_margin)) return true;
+    query_.refuse("pair: centre of mass");
     return false;
   }
   handling.placement = placement(query_.problem, query_.options, handling.object_goal);

@@ -96,6 +96,7 @@ Plan searched(Query& query) {
 Plan searched_from(Query& query, const Interruption& at) {
   Plan plan;
   plan.resumed = at;
+  if (!can_be_left(query, plan)) return plan;
   const std::optional<Eigen::VectorXd> start = find_pressed_start(query, at, plan);
   if (!start) return plan;
   query.refuses_lag = false;

@@ -87,7 +87,7 @@ bool Query::allows_lag(const std::string& what, const std::vector<Planar>& ends,
                        const std::function<std::optional<Eigen::Vector2d>()>& grasp) {
   constexpr double kNothing = 1e-9;  // [m, rad]
   if (!refuses_lag) return true;
-  const Lag lag = largest_lag(ends, goal);
+  const Lag lag = largest_lag(problem, ends, goal);
   if (lag.position < kNothing && lag.angle < kNothing) return true;
   const std::optional<std::string> broken = broken_by_lag(problem, goal, grasp(), ends);
   if (!broken) return true;

@@ -233,7 +233,7 @@ TEST(Rim, APlanKeepsTheLagOfTheObjectSmall) {
   int large = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto lag = [&](const Plan& found) {
-      return largest_lag(course(problem, {}, pressed_rows(problem, found)).ends,
+      return largest_lag(problem, course(problem, {}, pressed_rows(problem, found)).ends,
                          planar(problem.support.X_WS().inverse() * found.X_WO_goal));
     };
     if (const Plan kept = plan(problem, {}, seeded(seed))) {

@@ -29,6 +29,8 @@ constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
 constexpr int kMoves = 6;
+constexpr double kLeastTurn = 0.002;  // by which each joint may give way in a step [rad]
+constexpr double kLeastSlide = 0.1;   // [mm]
 constexpr std::size_t kUsualPoints = 1 << 14;
 
 /// Number of a body, and of a cell of space in each direction.
@@ -93,6 +95,7 @@ LoadTester::LoadTester(const Problem& problem)
     const bool slides = robot.step_weights()[joint] > 1;
     units_[j] = slides ? 1 : kMetre;
     limits_[j] = robot.max_effort()[joint] * units_[j];
+    give_ = std::min(give_, limits_[j] * (slides ? kLeastSlide : kLeastTurn));
   }
   for (const robot::LinkShape& shape : robot.shapes()) bodies_.push_back(body_of(shape));
 }
@@ -187,7 +190,7 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
 
 LoadEffort LoadTester::effort_of(const Vector6d& load, NearPoints& points, PosedContacts& first,
                                  const Posture& hand) const {
-  LoadStepper stepper(limits_);
+  LoadStepper stepper(limits_, give_);
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   LoadEffort most;
   for (int i = 0; i < kMoves; ++i) {

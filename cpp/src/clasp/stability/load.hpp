@@ -38,8 +38,9 @@ struct LoadEffort {
 };
 
 /// Test of the loads that force open the closed hand. The object moves without friction and without
-/// inertia, by small steps, until the hand blocks it. At each step a linear program compares the
-/// work that the load gains if joints give way with the work of their motors. Not thread-safe.
+/// inertia, by up to six steps of 2 mm, until the hand blocks it. At each step a linear program
+/// compares the work that the load gains if joints give way with the work of their motors. Not
+/// thread-safe.
 class LoadTester {
  public:
   explicit LoadTester(const Problem& problem);
@@ -73,6 +74,7 @@ class LoadTester {
   Eigen::VectorXd directions_;  // 1 or -1
   Eigen::VectorXd units_;       // lengths in mm: 1 for a prismatic joint, 1000 for others
   Eigen::VectorXd limits_;      // [N or N mm]
+  double give_ = 2;             // of a step, as LoadStepper takes it [N mm]
   Eigen::Vector3d mean_O_;      // of the object's points
 };
 

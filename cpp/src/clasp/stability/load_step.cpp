@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Primal: maximise load . move over the move and the yield of the joints y >= 0, such that
-// |move_k| <= kMove, row_i . move <= gap_i + opens_i . y for each contact, and limits . y <= kGive.
+// |move_k| <= kMove, row_i . move <= gap_i + opens_i . y for each contact, and limits . y <= give.
 // The dual is solved: contact forces f_i >= 0 balance the load, and no joint needs more than the
 // effort e >= 0: sum_i opens_i f_i <= e limits. A contact that the primal solution does not pass
 // has no force in the dual, so contacts are added until none is passed.
@@ -21,7 +21,6 @@ using Eigen::VectorXd;
 using mechanics::kInfinity;
 using mechanics::Vector6d;
 
-constexpr double kGive = 2;  // work by which the hand may yield, which makes efforts unique [N mm]
 constexpr double kPassed = 1e-6;       // a contact passed by less is kept [mm]
 constexpr std::ptrdiff_t kAdded = 12;  // contacts that are added at once
 
@@ -29,11 +28,11 @@ using Contacts = std::vector<const LoadContact*>;
 
 /// Dual program: effort, forces of the bounds on the move, and contact forces.
 mechanics::LinearProgram program(const Vector6d& load, const Contacts& contacts,
-                                 const VectorXd& limits) {
+                                 const VectorXd& limits, double give) {
   mechanics::LinearProgram lp;
   for (int k = 0; k < 6; ++k) lp.add_row(load[k], load[k]);
   for (Eigen::Index j = 0; j < limits.size(); ++j) lp.add_row(-kInfinity, 0);
-  const int effort = lp.add_variable(0, kInfinity, -kGive);
+  const int effort = lp.add_variable(0, kInfinity, -give);
   for (int j = 0; j < limits.size(); ++j) lp.set(6 + j, effort, -limits[j]);
   for (int k = 0; k < 6; ++k) {
     for (const double sign : {1.0, -1.0}) lp.set(k, lp.add_variable(0, kInfinity, -kMove), sign);
@@ -78,7 +77,7 @@ LoadStep LoadStepper::step(const Vector6d& load, LoadContacts& contacts) {
     if (const LoadContact* contact = contacts.at(point)) used.push_back(contact);
   }
   while (true) {
-    const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_));
+    const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_, give_));
     if (found.status != mechanics::LpStatus::optimal) return {Vector6d::Zero(), kInfinity, -1};
     const VectorXd yield = found.duals.tail(limits_.size());
     const LoadStep step{-found.duals.head<6>(), found.x[0], most_yielding(yield, limits_)};

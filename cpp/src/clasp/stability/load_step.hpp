@@ -49,13 +49,17 @@ struct LoadStep {
 /// contacts.
 class LoadStepper {
  public:
-  /// `limits`: of the efforts of the joints, in the units of LoadContact::opens.
-  explicit LoadStepper(Eigen::VectorXd limits) : limits_(std::move(limits)) {}
+  /// `limits`: of the efforts of the joints, in the units of LoadContact::opens. `give`: work by
+  /// which the hand may yield, which makes efforts unique [N mm]; little, lest a joint give way for
+  /// a whole step.
+  explicit LoadStepper(Eigen::VectorXd limits, double give = 2)
+      : limits_(std::move(limits)), give_(give) {}
 
   LoadStep step(const mechanics::Vector6d& load, LoadContacts& contacts);
 
  private:
   Eigen::VectorXd limits_;
+  double give_;
   std::set<Eigen::Index> points_;  // of contacts that were in a program
 };
 

@@ -88,8 +88,6 @@ class Examination {
   void check_motion(const Path& path, const Poses& way);
   void check_motion(const Lattice& lattice, const Poses& way);
   void check_motion(const Goal& goal, const Poses& way);
-  void check_ends(const Eigen::Isometry3d& X_WO_start, const Eigen::Isometry3d& X_WO_goal,
-                  const Poses& way);
   bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const;
   Vector6d arc_twist(std::size_t segment, std::size_t arc) const;
   Eigen::Isometry3d row_pose(std::size_t segment, std::size_t row) const;

@@ -196,9 +196,11 @@ bool GoalSearch::run() {
 }
 
 /// True if the tumbles alone, on the floor without obstacles, cannot be done with one placement. No
-/// path over these edges can then, unless a wall supports the object on the way.
+/// path over these edges can then, unless a wall supports the object on the way or the floor
+/// slopes.
 bool GoalSearch::needs_regrasp(Sequence& sequence) {
-  if (!sequence.failed || context_.problem.planes.size() > 1) return false;
+  const Problem& problem = context_.problem;
+  if (!sequence.failed || problem.planes.size() > 1 || !is_level(problem)) return false;
   if (!sequence.needs_regrasp) {
     if (!on_floor_) on_floor_ = std::make_unique<SearchContext>(floor_problem_, context_.options);
     const PoseGraph graph(floor_problem_, sequence.tumbles, on_floor_->locations,

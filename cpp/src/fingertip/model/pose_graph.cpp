@@ -53,6 +53,12 @@ Touch touch_walls(const Problem& problem, const Eigen::Isometry3d& X_WO) {
 
 }  // namespace
 
+bool is_level(const Problem& problem) {
+  constexpr double kLevel = 1e-9;
+  const Eigen::Vector3d& g_W = problem.gravity_W;
+  return g_W.cross(problem.planes.front().n_W).norm() <= kLevel * g_W.norm();
+}
+
 PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& locations_in,
                      Instants& instants, const Options& options_in)
     : options(options_in),
@@ -165,7 +171,7 @@ int PoseGraph::find_kind(int pose, int move) const {
     touches = touches || found == Touch::wall;
     states.push_back(moving_state(X_WO_j, twist));
   }
-  if (touches) return add_kind(states);
+  if (touches || !is_level(problem_)) return add_kind(states);
   int& on_floor = floor_kinds_[ix(motion(pose, move))];
   if (on_floor == kUnknown) on_floor = add_kind({states.front()});  // mechanics stay the same
   return on_floor;

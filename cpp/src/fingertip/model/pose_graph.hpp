@@ -153,4 +153,8 @@ struct Route {
 
 int num_regrasps(const Route& route);
 
+/// True if gravity is along the floor's normal: then the mechanics on the floor depend neither on
+/// the place of the object nor on its yaw.
+bool is_level(const Problem& problem);
+
 }  // namespace graspless::fingertip

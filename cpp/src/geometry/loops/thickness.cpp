@@ -117,12 +117,13 @@ double tenth(std::vector<double> values) {
   return *at;
 }
 
+/// 0, unknown, where a tenth of the sections has too few points.
 Thickness thickness_along(const Eigen::Matrix3Xd& loop, const Balls& balls, double d) {
   std::vector<double> narrowest, widest;
   for (const ClaspTarget& center : clasp_targets(loop, kSections)) {
     const std::vector<Eigen::Vector2d> piece = CrossSection(balls, center, d / 3).take_connected(d);
-    if (piece.size() < kMinPoints) continue;
-    const auto [least, most] = widths_of(piece);
+    const bool is_known = piece.size() >= kMinPoints;
+    const auto [least, most] = is_known ? widths_of(piece) : std::make_pair(0.0, 0.0);
     narrowest.push_back(least);
     widest.push_back(most);
   }

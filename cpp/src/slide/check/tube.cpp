@@ -117,8 +117,10 @@ void Examination::check_ends(const std::vector<Planar>& ends) {
     const double turn = std::abs(std::atan2(off.linear()(1, 0), off.linear()(0, 0)));
     if (!(turn <= (1 + kRelative) * kMostLag.angle + kRounded))
       fault("tube", "friction may leave the object turned by " + figure(turn) + " rad");
-    if (!(off.translation().norm() <= (1 + kRelative) * kMostLag.position + kRounded))
-      fault("tube", "friction may leave the object " + figure(off.translation().norm()) + " m off");
+    const Eigen::Vector2d com_xy = com_O.head<2>();
+    const double distance = (off * com_xy - com_xy).norm();
+    if (!(distance <= (1 + kRelative) * kMostLag.position + kRounded))
+      fault("tube", "friction may leave the object " + figure(distance) + " m off");
   }
 }
 

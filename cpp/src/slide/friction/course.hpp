@@ -36,7 +36,7 @@ std::vector<Planar> weakest_ends(const Problem& problem, const Options& options,
 struct Lag {
   double position = 0, angle = 0;  ///< [m, rad]
 };
-Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal);
+Lag largest_lag(const Problem& problem, const std::vector<Planar>& ends, const Planar& object_goal);
 
 /// Tolerance of a grasp whose middle is at the rim of the object, or beside it by round-off [m].
 inline constexpr double kGraspGive = 0.002;

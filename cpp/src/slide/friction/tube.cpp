@@ -226,11 +226,12 @@ std::vector<Planar> weakest_ends(const Problem& problem, const Options& options,
   return ends_of(worlds);
 }
 
-Lag largest_lag(const std::vector<Planar>& ends, const Planar& object_goal) {
+Lag largest_lag(const Problem& problem, const std::vector<Planar>& ends,
+                const Planar& object_goal) {
+  const Eigen::Vector2d com_O = problem.object.com().head<2>();
   Lag found;
   for (const Planar& end : ends) {
-    found.position =
-        std::max(found.position, (end.translation() - object_goal.translation()).norm());
+    found.position = std::max(found.position, (end * com_O - object_goal * com_O).norm());
     found.angle = std::max(found.angle, std::abs(turn_between(end, object_goal)));
   }
   return found;
@@ -247,7 +248,7 @@ std::optional<std::string> broken_by_lag(const Problem& problem, const Planar& o
     if (!is_com_inside(problem, end, 0)) return "the centre of mass off the support";
     if (depth_at(end) < least) return "the object out of the hand";
   }
-  const Lag lag = largest_lag(ends, object_goal);
+  const Lag lag = largest_lag(problem, ends, object_goal);
   if (lag.angle > kMostLag.angle) return "the object turned by more than 5 deg";
   if (lag.position > kMostLag.position) return "the object more than 10 mm behind";
   for (const Planar& end : ends) {
