@@ -302,12 +302,15 @@ def test_the_name_of_the_topic_says_whether_images_are_rectified(camera, topic):
         np.testing.assert_array_equal(seen.K, found.K)
 
 
-def test_picks_an_object_of_a_cloud(camera):
+@pytest.mark.parametrize("is_organized", [True, False])
+def test_picks_an_object_of_a_cloud(camera, is_organized):
     _, _, found = picture()
     rows, columns = np.indices(found.depth.shape)
     rays = [(columns - found.K[0, 2]) / found.K[0, 0], (rows - found.K[1, 2]) / found.K[1, 1]]
     points = np.stack([rays[0], rays[1], np.ones(rows.shape)], axis=-1) * found.depth[..., None]
     points[found.depth == 0] = np.nan
+    points[0, 0] = 0.0  # no measurement either
+    points = points if is_organized else points.reshape(1, -1, 3)
     result = pick(camera, cloud_of(points), source="cloud")
     assert result.motion.status == "solved", result.motion.reason
 

@@ -46,8 +46,7 @@ def view_of(source: Any, K: Any, X_WC: Matrix) -> View:
         K is missing, or the image or cloud is not valid.
     """
     if _is_message(source):
-        points = points_of_message(source)
-        return view_of_organized(points, X_WC) if len(points) > 1 else _view_of_points(points, X_WC)
+        return view_of_grid(points_of_message(source), X_WC)
     if _is_cloud(source):
         return _view_of_points(_points_of(source), X_WC)
     depth, own = _frame_of(source) if _is_realsense(source) else (_pixels_of(source.depth), None)
@@ -126,6 +125,11 @@ def _points_of(cloud: Any) -> Matrix:
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"the cloud's points have shape {points.shape}; it must be (N, 3)")
     return points
+
+
+def view_of_grid(points: Matrix, X_WC: Matrix) -> View:
+    """Returns the view of the points [H, W, 3] of a PointCloud2; with H = 1 it is not organised."""
+    return view_of_organized(points, X_WC) if len(points) > 1 else _view_of_points(points, X_WC)
 
 
 def _view_of_points(points: Matrix, X_WC: Matrix) -> View:

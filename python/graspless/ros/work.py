@@ -21,7 +21,7 @@ from .. import _api, perception, report, timing
 from .._core.planning import OutOfTime
 from ..errors import TaskError, explain
 from ..kinds import stages_of
-from ..perception.clouds import view_of_cloud, view_of_organized
+from ..perception.readers import view_of_grid
 from ..picking import pick
 from ..plan_files import read_plan
 from ..tasks import task_from_dict
@@ -149,11 +149,7 @@ def _view(job: PickJob) -> perception.View:
         assert job.depth is not None
         assert job.K is not None
         return perception.View(job.depth, job.K, job.X_WC)
-    if job.points.shape[0] > 1:
-        return view_of_organized(job.points, job.X_WC)
-    points = job.points.reshape(-1, 3)
-    points = points[np.isfinite(points).all(axis=1)]
-    return view_of_cloud(points @ job.X_WC[:3, :3].T + job.X_WC[:3, 3], job.X_WC[:3, 3])
+    return view_of_grid(job.points, job.X_WC)
 
 
 def _name_at(scene: perception.Scene, at: Matrix | None) -> str:
