@@ -3,6 +3,7 @@
 """`graspless ros` without ROS, and the packages that colcon builds. tests/ros has the rest."""
 
 import importlib.util
+import math
 import pathlib
 import re
 import subprocess
@@ -11,6 +12,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 import yaml
+
+from graspless import robot
+from graspless.ros.measured import home_of
 
 ROS = pathlib.Path(__file__).parents[2] / "ros"
 
@@ -59,6 +63,18 @@ def test_interfaces_are_listed_and_their_packages_declared(package):
     assert used <= declared
     for name in used:
         assert f"find_package({name} REQUIRED)" in listed
+
+
+def test_plans_start_from_measured_joints_as_plans_may_have_them():
+    urdf = """<robot name="cart"><link name="a"/><link name="b"/><link name="c"/>
+      <joint name="wheel" type="continuous"><parent link="a"/><child link="b"/></joint>
+      <joint name="finger" type="prismatic"><parent link="b"/><child link="c"/>
+        <limit lower="0" upper="0.04" effort="1" velocity="1"/></joint></robot>"""
+    cart = robot.Robot.from_urdf(urdf)
+    measured = {"wheel": 4.71 - 40 * math.pi, "finger": 0.0401, "of another robot": 1.0}
+    home = home_of(cart, measured, 0.05)
+    assert home == {"wheel": pytest.approx(4.71 - 2 * math.pi), "finger": 0.04}
+    assert home_of(cart, {"finger": 0.046}, 0.05) == {"finger": 0.046}  # 6 mm count as 0.06 rad
 
 
 def test_controllers_of_a_ur5e_have_their_own_joints():

@@ -62,6 +62,54 @@ def test_plans_from_the_measured_joints(bus):
     assert start[name] == pytest.approx(bus.rig.home[name] + 0.2, abs=1e-6)
 
 
+def test_plans_from_a_joint_that_is_just_beyond_its_limit(bus):
+    name = bus.given["hand"]["joints"][0]  # it is open at its lower limit, 0
+    with bus.rig.lock:
+        bus.rig.q[name] = -0.01
+    bus.settle()
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "executed", motion.reason
+    with bus.rig.lock:
+        bus.rig.q[name] = -0.1
+    bus.settle()
+    motion = bus.do(goal())[1].motion
+    assert motion.status == "refused"
+    assert f"{name}' is -0.1, outside its limits" in motion.reason
+
+
+@pytest.fixture
+def endless(tmp_path):
+    """The task for a robot whose first joint is continuous, and that has a wheel."""
+    urdf = graspless.robot.builtin("wam_t42")
+    text = urdf.read_text().replace('wam_joint_1" type="revolute', 'wam_joint_1" type="continuous')
+    wheel = '<link name="wheel"/><joint name="roll" type="continuous"><parent link="base_link"/>'
+    text = text.replace("</robot>", wheel + '<child link="wheel"/></joint></robot>')
+    (tmp_path / "wam.urdf").write_text(text)
+    task = yaml.safe_load(TASK)
+    task["robot"] |= {"urdf": str(tmp_path / "wam.urdf"), "directory": str(urdf.parent)}
+    task["robot"]["srdf"] = str(urdf.with_suffix(".srdf"))
+    return task
+
+
+@pytest.mark.parametrize("closed_loop", [False, True])
+def test_continuous_joints_may_have_made_whole_turns(bus, endless, closed_loop):
+    start = bus.rig.home["wam_joint_1"] + 4 * np.pi
+    endless["robot"]["home"] = {"wam_joint_1": bus.rig.home["wam_joint_1"]}  # is the same
+    try:
+        with bus.rig.lock:
+            bus.rig.q |= {"wam_joint_1": start, "roll": 137.2}
+        bus.settle()
+        given = {"seed": 1, "execute": True, "closed_loop": closed_loop}
+        motion = bus.do(PlanTask.Goal(task=yaml.safe_dump(endless), **given))[1].motion
+        assert motion.status == "executed", motion.reason
+        sent = [each for group, each in bus.rig.heard + bus.rig.streamed if group == "arm"]
+        assert sent[0].points[0].positions[0] == pytest.approx(start, abs=0.01)
+        assert abs(sent[-1].points[-1].positions[0] - start) < np.pi
+    finally:
+        with bus.rig.lock:
+            del bus.rig.q["roll"]
+
+
 def test_refuses_a_robot_that_is_elsewhere(bus):
     task = yaml.safe_load(TASK)
     task["robot"]["home"] = "home"  # so it is not planned from where the robot is

@@ -91,9 +91,7 @@ class Wish:
     @cached_property
     def model(self) -> robots.Robot:
         """The robot itself."""
-        source = Source(FILE, {"robot": self.robot})
-        fields = source.validate(RobotOnly).robot
-        return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
+        return robot_of(self.robot, FILE)
 
     @cached_property
     def com(self) -> list[float]:
@@ -111,6 +109,13 @@ class Wish:
     def real_edges(self) -> list[int]:
         """Indices of the edges of the support beyond which there is nothing."""
         return [i for i, label in enumerate(self.support.edges) if str(label) == "real"]
+
+
+def robot_of(given: dict[str, Any], file: str) -> robots.Robot:
+    """Returns the robot of a field `robot`. `file` is named in errors."""
+    source = Source(file, {"robot": given})
+    fields = source.validate(RobotOnly).robot
+    return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
 
 def wish_of(

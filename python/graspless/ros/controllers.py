@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import threading
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from rclpy.action import ActionClient
 
 from ..errors import explain
 from .halting import HaltedError, Timer, positions
+from .measured import turns_of
 from .messages import RefusedError, time_of, trajectory_of
 
 if TYPE_CHECKING:
@@ -71,16 +72,22 @@ def require_moved(found: Found, parts: Sequence[Part]) -> None:
         raise RefusedError(f"no controller moves {', '.join(lost)} (parameter controllers)")
 
 
-def require_start(found: Found, joints: Joints, settings: Settings) -> None:
-    """Raises RefusedError unless the robot is known to be where the trajectory starts."""
+def turns_at_start(found: Found, joints: Joints, settings: Settings) -> Matrix:
+    """Returns the whole turns from the start of a trajectory to the robot [dof] [rad].
+
+    Raises RefusedError unless the robot is known to be where the trajectory starts.
+    """
     q = joints.positions(found.joint_names, settings.joint_state_seconds)
-    off = np.abs(q - found.positions[0])
+    turns = turns_of(found.joints, q, found.positions[0])
+    start = found.positions[0] + turns
+    off = np.abs(q - start)
     k = int(np.argmax(off))
     if off[k] > settings.start_tolerance:
         raise RefusedError(
             f"the robot is not at the start: {found.joint_names[k]} is {q[k]:.3f} and should be "
-            f"{found.positions[0][k]:.3f} (start_tolerance {settings.start_tolerance:g})"
+            f"{start[k]:.3f} (start_tolerance {settings.start_tolerance:g})"
         )
+    return turns
 
 
 def message_of(part: Part, found: Found, joints: Joints, settings: Settings) -> Any:
@@ -200,6 +207,8 @@ class Controllers:
         """
         parts = parts_of(found, self._settings.controllers)
         self._require_ready(found, parts)
+        turns = turns_at_start(found, self._joints, self._settings)
+        found = replace(found, positions=found.positions + turns)
         timer = Timer(self._clock)
         messages = [message_of(part, found, self._joints, self._settings) for part in parts]
         orders: list[_Order] = []
@@ -227,7 +236,6 @@ class Controllers:
                 raise RefusedError(f"parameter {part.controller.name}.action is empty")
             if not client.wait_for_server(self._settings.controller_seconds):
                 raise RefusedError(f"nobody serves {part.controller.action}")
-        require_start(found, self._joints, self._settings)
 
     def _await_acceptance(self, orders: list[_Order], cancel: Alarm) -> None:
         end = time.monotonic() + self._settings.controller_seconds

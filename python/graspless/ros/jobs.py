@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ..frames import Matrix
+    from .measured import Joint
 
 
 @dataclass(frozen=True)
@@ -25,8 +26,10 @@ class TaskJob:
         Prove the plan between its rows, too.
     robot : dict or None
         Field `robot` of the robot that the node knows.
-    home : dict or None
-        Measured joints [rad or m], where the task says nothing of robot.home.
+    measured : dict or None
+        Measured joints [rad or m], where the task says nothing of them in robot.home.
+    tolerance : float
+        Distance of measured joints from their limits [rad; of sliding joints 1/10 m].
     limits : dict
         Arguments of `graspless.time`.
     squeeze : float
@@ -40,7 +43,8 @@ class TaskJob:
     seconds: float | None = None
     certify: bool = False
     robot: dict[str, Any] | None = None
-    home: dict[str, float] | None = None
+    measured: dict[str, float] | None = None
+    tolerance: float = 0.0
     limits: dict[str, Any] = field(default_factory=dict)
     squeeze: float = 0.0
     directory: str | None = None
@@ -64,7 +68,7 @@ class PickJob:
         Field `robot` of a task.
     strategies, respect, lift, mass, grip_force, seed, seconds
         As in `graspless.pick`.
-    limits, squeeze
+    measured, tolerance, limits, squeeze
         As in TaskJob.
     """
 
@@ -82,6 +86,8 @@ class PickJob:
     grip_force: float | None = None
     seed: int = 1
     seconds: float = 10.0
+    measured: dict[str, float] | None = None
+    tolerance: float = 0.0
     limits: dict[str, Any] = field(default_factory=dict)
     squeeze: float = 0.0
 
@@ -109,6 +115,8 @@ class Found:
         Kind of the plan.
     joint_names : list of str
         Columns of the arrays.
+    joints : list of Joint
+        The same.
     times, positions, velocities, accelerations, object_poses : array
         As in `graspless.Trajectory`, with the squeeze.
     phases : list of tuple
@@ -131,6 +139,7 @@ class Found:
     plan: str = ""
     kind: str = ""
     joint_names: list[str] = field(default_factory=list)
+    joints: list[Joint] = field(default_factory=list)
     times: Any = None
     positions: Any = None
     velocities: Any = None

@@ -49,14 +49,17 @@ class Requests:
             seconds=asked.seconds or None,
             certify=asked.certify,
             robot=robot,
-            home=self._home(asked.execute),
+            measured=self._measured(asked.execute),
+            tolerance=s.start_tolerance,
             limits=s.limits | {"rate": s.trajectory_rate},
             squeeze=s.squeeze,
             directory=s.task_directory or None,
         )
 
-    def _home(self, is_needed: bool) -> dict[str, float] | None:
-        """Returns the measured joints of all controllers; None if they are not needed."""
+    def _measured(self, is_needed: bool) -> dict[str, float] | None:
+        """Returns the positions of all joints, those of controllers newly measured; None if they
+        are not needed.
+        """
         if not is_needed:
             return None
         names = [name for each in self._settings.controllers for name in each.joints]
@@ -64,7 +67,7 @@ class Requests:
             raise RefusedError("execute: the node knows no controllers (parameter controllers)")
         s = self._settings
         q = self._joints.positions(names, s.joint_state_seconds, patience=s.tf_seconds)
-        return dict(zip(names, q.tolist(), strict=True))
+        return self._joints.known() | dict(zip(names, q.tolist(), strict=True))
 
     def pick_job(self, goal: Goal) -> PickJob:
         """Returns the job of a goal of PickObject, with an image that is newer than the goal."""
@@ -73,9 +76,7 @@ class Requests:
             if not np.isfinite(getattr(asked, name)) or getattr(asked, name) < 0:
                 raise RefusedError(f"{name}: {getattr(asked, name)}: should be at least 0")
         robot = self._robot(asked.robot or s.robot)
-        home = self._home(asked.execute)
-        if home is not None:
-            robot = robot | {"home": home}
+        measured = self._measured(asked.execute)
         at = None if asked.name else self._point(asked.at)
         goal.tell("seeing")
         seen = self._camera.look(
@@ -96,6 +97,8 @@ class Requests:
             grip_force=asked.grip_force or None,
             seed=asked.seed or 1,
             seconds=asked.seconds or 10.0,
+            measured=measured,
+            tolerance=s.start_tolerance,
             limits=s.limits | {"rate": s.trajectory_rate},
             squeeze=s.squeeze,
         )

@@ -115,6 +115,11 @@ class Joints:
                 raise RefusedError(f"the state of {name} is {state[1]}")
         return found
 
+    def known(self) -> dict[str, float]:
+        """Returns the newest positions of all joints, however old [rad or m]."""
+        with self._lock:
+            return {name: q for name, (_, q) in self._known.items() if np.isfinite(q)}
+
     def age(self) -> float | None:
         """Returns the age of the oldest joint state [s]; None without any."""
         with self._lock:

@@ -14,7 +14,7 @@ from trajectory_msgs.msg import JointTrajectory
 from ..following import Follower
 from ..plan_files import read_plan
 from ..timing.squeeze import SECONDS, beyond
-from .controllers import Part, parts_of, require_moved, require_start
+from .controllers import Part, parts_of, require_moved, turns_at_start
 from .halting import HaltedError, Timer, positions
 from .messages import RefusedError, trajectory_of
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from ..following import Target
+    from ..frames import Matrix
     from .halting import Clock
     from .jobs import Found
     from .senses import Joints, ObjectPose
@@ -73,9 +74,11 @@ class Streaming:
         parts = self._require_ready(found)
         plan: Any = read_plan(found.plan, "plan")
         follower = Follower(plan, **self._settings.limits)
+        turns = turns_at_start(found, self._joints, self._settings)
         target = None
         try:
-            for target in self._targets(follower, found, cancel, tell):
+            for planned in self._targets(follower, found, turns, cancel, tell):
+                target = dataclasses.replace(planned, position=planned.position + turns)
                 self._send(parts, target, 1 / self._settings.rate)
                 if target.status == "stopped":
                     raise HaltedError("stopped", target.reason)
@@ -96,7 +99,6 @@ class Streaming:
             if None in part.columns:
                 raise RefusedError(f"{part.controller.name} has joints that the plan does not move")
             self._await_listener(publisher, part.controller.topic)
-        require_start(found, self._joints, self._settings)
         return parts
 
     def _await_listener(self, publisher: Any, topic: str) -> None:
@@ -107,9 +109,14 @@ class Streaming:
             time.sleep(0.01)
 
     def _targets(
-        self, follower: Follower, found: Found, cancel: Alarm, tell: Callable[[str], object]
+        self,
+        follower: Follower,
+        found: Found,
+        turns: Matrix,
+        cancel: Alarm,
+        tell: Callable[[str], object],
     ) -> Any:
-        """Yields targets at the rate of the loop, by the time of the node."""
+        """Yields targets at the rate of the loop, by the time of the node, without the turns."""
         timer, phase = Timer(self._clock), ""
         period, last = 1 / self._settings.rate, -1.0
         while True:
@@ -125,7 +132,7 @@ class Streaming:
             )
             seen = self._poses.take()
             pose, covariance, age = (None, None, 0.0) if seen is None else seen
-            target = follower.update(t, q, pose, covariance, age)
+            target = follower.update(t, q - turns, pose, covariance, age)
             if target.phase != phase:
                 phase = target.phase
                 tell(phase)

@@ -20,14 +20,17 @@ import numpy as np
 from .. import _api, perception, report, timing
 from .._core.planning import OutOfTime
 from ..errors import TaskError, explain
-from ..kinds import stages_of
+from ..kinds import part, stages_of
 from ..perception.readers import view_of_grid
 from ..picking import pick
+from ..picking.result import FILE
+from ..picking.wish import robot_of
 from ..plan_files import read_plan
 from ..tasks import task_from_dict
 from ..tasks.reading import parse_yaml
 from ..timing.squeeze import squeezed
 from .jobs import CheckJob, Found, PickJob, TaskJob
+from .measured import home_of, joints_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -88,10 +91,10 @@ def _checked(job: CheckJob) -> Found:
 
 def _planned(job: TaskJob, tell: Callable[[str], object]) -> Found:
     document = parse_yaml(job.text, "task").data
-    if isinstance(document, dict) and isinstance(document.get("robot"), dict):
-        document = document | {"robot": _robot(document["robot"], job)}
     if job.directory is not None:
         os.chdir(job.directory)
+    if isinstance(document, dict) and isinstance(document.get("robot"), dict):
+        document = document | {"robot": _robot(document["robot"], job)}
     began = time.monotonic()
     task = task_from_dict(document, "task", resolve=True)
     task = task.with_changes(seconds=job.seconds, seed=job.seed)
@@ -106,9 +109,16 @@ def _robot(given: dict[str, Any], job: TaskJob) -> dict[str, Any]:
         if job.robot is None:
             raise TaskError(f"task: robot.urdf: {DESCRIPTION}: none was received yet")
         given = {**job.robot, **{key: value for key, value in given.items() if key != "urdf"}}
-    if "home" not in given and job.home is not None:
-        given = given | {"home": job.home}
-    return given
+    return _at_home(given, job, "task")
+
+
+def _at_home(given: dict[str, Any], job: TaskJob | PickJob, file: str) -> dict[str, Any]:
+    """Returns a robot that starts where it was measured, but for the joints that it gives."""
+    known = given.get("home", {})
+    if job.measured is None or not isinstance(known, dict):
+        return given
+    home = home_of(robot_of(given, file), job.measured, job.tolerance)
+    return given | {"home": home | known}
 
 
 def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
@@ -124,7 +134,7 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
         result = pick(
             scene,
             found.name,
-            job.robot,
+            _at_home(job.robot, job, FILE),
             strategies=job.strategies,
             lift=job.lift,
             mass=job.mass,
@@ -198,6 +208,8 @@ def _finished(
     if not plan.joint_names:
         found.warnings.append("the plan moves no joints: its fingertips have no arm")
         return found
+    joints = joints_of(part("timing", plan.kind).robot(plan, False))
+    found.joints = [joints[name] for name in plan.joint_names]
     _take(squeezed(timing.time(plan, **job.limits), job.squeeze), found)
     return found
 
