@@ -10,11 +10,13 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ET
 
+import numpy as np
 import pytest
 import yaml
 
 from graspless import robot
-from graspless.ros.measured import home_of
+from graspless.ros.jobs import Found
+from graspless.ros.measured import home_of, joints_of, with_mimics
 
 ROS = pathlib.Path(__file__).parents[2] / "ros"
 
@@ -75,6 +77,25 @@ def test_plans_start_from_measured_joints_as_plans_may_have_them():
     home = home_of(cart, measured, 0.05)
     assert home == {"wheel": pytest.approx(4.71 - 2 * math.pi), "finger": 0.04}
     assert home_of(cart, {"finger": 0.046}, 0.05) == {"finger": 0.046}  # 6 mm count as 0.06 rad
+
+
+def test_mimics_of_mimics_follow_the_independent_joint():
+    joints = [("a", ""), ("b", '<mimic joint="a" multiplier="-2" offset="0.1"/>')]
+    joints += [("c", '<mimic joint="b" multiplier="3" offset="0.5"/>')]
+    urdf = '<robot name="hand"><link name="0"/>' + "".join(
+        f'<link name="{k}"/><joint name="{name}" type="continuous"><parent link="{k - 1}"/>'
+        f'<child link="{k}"/>{mimic}</joint>'
+        for k, (name, mimic) in enumerate(joints, start=1)
+    )
+    hand = robot.Robot.from_urdf(urdf + "</robot>")
+    assert home_of(hand, {"a": 1.0, "b": 2.0}, 0.0) == {"a": 1.0}
+    rows = np.array([[0.0], [1.0]])
+    found = Found(joint_names=["a"], joints=joints_of(hand), positions=rows)
+    found.velocities = found.accelerations = rows
+    found = with_mimics(found, ["c", "a", "unknown"])
+    assert found.joint_names == ["a", "c"]
+    np.testing.assert_allclose(found.positions, [[0, 0.8], [1, -5.2]])
+    np.testing.assert_allclose(found.velocities, [[0, 0], [1, -6]])
 
 
 def test_controllers_of_a_ur5e_have_their_own_joints():

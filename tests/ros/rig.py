@@ -188,13 +188,15 @@ class Bench:
             else:
                 yield name, value
 
-    def another_node(self, namespace, remap="joint_states:=/joint_states"):
+    def another_node(self, namespace, remap="joint_states:=/joint_states", changes=()):
         """Returns a node beside the first, for the same robot and in the same thread.
 
         It lives as long as the bench: no thread may destroy what another one waits for.
         """
         arguments = ["--ros-args", "-r", remap]
-        given = {"parameter_overrides": self.overrides, "cli_args": arguments}
+        changed = [Parameter(name, value=value) for name, value in dict(changes).items()]
+        kept = [each for each in self.overrides if each.name not in dict(changes)]
+        given = {"parameter_overrides": kept + changed, "cli_args": arguments}
         self.others.append(GrasplessNode(namespace=namespace, **given))
         assert self.others[-1].start()
         self.executors[1].add_node(self.others[-1])

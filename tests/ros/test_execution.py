@@ -95,19 +95,46 @@ def endless(tmp_path):
 def test_continuous_joints_may_have_made_whole_turns(bus, endless, closed_loop):
     start = bus.rig.home["wam_joint_1"] + 4 * np.pi
     endless["robot"]["home"] = {"wam_joint_1": bus.rig.home["wam_joint_1"]}  # is the same
+    sent = bus.rig.streamed if closed_loop else bus.rig.heard
     try:
         with bus.rig.lock:
             bus.rig.q |= {"wam_joint_1": start, "roll": 137.2}
         bus.settle()
         given = {"seed": 1, "execute": True, "closed_loop": closed_loop}
-        motion = bus.do(PlanTask.Goal(task=yaml.safe_dump(endless), **given))[1].motion
-        assert motion.status == "executed", motion.reason
-        sent = [each for group, each in bus.rig.heard + bus.rig.streamed if group == "arm"]
-        assert sent[0].points[0].positions[0] == pytest.approx(start, abs=0.01)
-        assert abs(sent[-1].points[-1].positions[0] - start) < np.pi
+        handle = bus.send(PlanTask.Goal(task=yaml.safe_dump(endless), **given))
+        bus.until(lambda: len(sent) > (5 if closed_loop else 1), "nothing was sent")
+        bus.wait(handle.cancel_goal_async())
+        reason = bus.result(handle)[1].motion.reason
+        assert "wam_joint_1" not in reason  # the follower compares without turns
+        arm = [trajectory for group, trajectory in sent if group == "arm"]
+        assert arm[0].points[0].positions[0] == pytest.approx(start, abs=0.01)
+        assert abs(arm[-1].points[-1].positions[0] - start) < np.pi
     finally:
         with bus.rig.lock:
             del bus.rig.q["roll"]
+
+
+def test_mimic_joints_of_a_controller_move_as_their_drivers(bus):
+    fingers = ["left_finger_joint", "right_finger_joint"]
+    bus.another_node("fingers", changes={"hand.joints": fingers})
+    client = ActionClient(bus.client, PlanTask, "/fingers/plan_task")
+    assert client.wait_for_server(PATIENCE)
+    try:
+        with bus.rig.lock:
+            bus.rig.q["right_finger_joint"] = 0.0
+        bus.settle()
+        motion = bus.wait(bus.wait(client.send_goal_async(goal())).get_result_async()).result.motion
+        assert motion.status == "executed", motion.reason
+        followed = next(each for group, each in bus.rig.heard if group == "hand")
+        for hand in (followed, motion.trajectories[1]):
+            assert list(hand.joint_names) == fingers
+            for name in ("positions", "velocities", "accelerations"):
+                rows = np.array([getattr(point, name) for point in hand.points])
+                assert np.ptp(rows[:, 0]) > 0.1
+                np.testing.assert_array_equal(rows[:, 1], rows[:, 0])
+    finally:
+        with bus.rig.lock:
+            del bus.rig.q["right_finger_joint"]
 
 
 def test_refuses_a_robot_that_is_elsewhere(bus):

@@ -15,7 +15,7 @@ from rclpy.action import ActionClient
 
 from ..errors import explain
 from .halting import HaltedError, Timer, positions
-from .measured import turns_of
+from .measured import turns_of, with_mimics
 from .messages import RefusedError, time_of, trajectory_of
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def turns_at_start(found: Found, joints: Joints, settings: Settings) -> Matrix:
     Raises RefusedError unless the robot is known to be where the trajectory starts.
     """
     q = joints.positions(found.joint_names, settings.joint_state_seconds)
-    turns = turns_of(found.joints, q, found.positions[0])
+    turns = turns_of(found, q)
     start = found.positions[0] + turns
     off = np.abs(q - start)
     k = int(np.argmax(off))
@@ -205,6 +205,7 @@ class Controllers:
         HaltedError
             A controller failed, the goal was cancelled, or the state of the robot was lost.
         """
+        found = with_mimics(found, self._settings.joints)
         parts = parts_of(found, self._settings.controllers)
         self._require_ready(found, parts)
         turns = turns_at_start(found, self._joints, self._settings)

@@ -115,8 +115,8 @@ class Found:
         Kind of the plan.
     joint_names : list of str
         Columns of the arrays.
-    joints : list of Joint
-        The same.
+    joints : dict
+        Joint of each name, also of mimic joints, which have no column.
     times, positions, velocities, accelerations, object_poses : array
         As in `graspless.Trajectory`, with the squeeze.
     phases : list of tuple
@@ -139,7 +139,7 @@ class Found:
     plan: str = ""
     kind: str = ""
     joint_names: list[str] = field(default_factory=list)
-    joints: list[Joint] = field(default_factory=list)
+    joints: dict[str, Joint] = field(default_factory=dict)
     times: Any = None
     positions: Any = None
     velocities: Any = None

@@ -62,7 +62,7 @@ class Requests:
         """
         if not is_needed:
             return None
-        names = [name for each in self._settings.controllers for name in each.joints]
+        names = self._settings.joints
         if not names:
             raise RefusedError("execute: the node knows no controllers (parameter controllers)")
         s = self._settings

@@ -76,6 +76,11 @@ class Settings:
     controllers: tuple[Controller, ...] = ()
 
     @property
+    def joints(self) -> list[str]:
+        """Joints of all controllers."""
+        return [name for each in self.controllers for name in each.joints]
+
+    @property
     def limits(self) -> dict[str, Any]:
         """Arguments of `graspless.time`."""
         names = ("max_velocity", "max_acceleration", "max_jerk", "contact_speed")

@@ -208,8 +208,7 @@ def _finished(
     if not plan.joint_names:
         found.warnings.append("the plan moves no joints: its fingertips have no arm")
         return found
-    joints = joints_of(part("timing", plan.kind).robot(plan, False))
-    found.joints = [joints[name] for name in plan.joint_names]
+    found.joints = joints_of(part("timing", plan.kind).robot(plan, False))
     _take(squeezed(timing.time(plan, **job.limits), job.squeeze), found)
     return found
 
