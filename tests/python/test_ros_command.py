@@ -73,6 +73,7 @@ def test_plans_start_from_measured_joints_as_plans_may_have_them():
       <joint name="finger" type="prismatic"><parent link="b"/><child link="c"/>
         <limit lower="0" upper="0.04" effort="1" velocity="1"/></joint></robot>"""
     cart = robot.Robot.from_urdf(urdf)
+    assert [joints_of(cart)[name].weight for name in cart.joint_names] == [*cart.step_weights]
     measured = {"wheel": 4.71 - 40 * math.pi, "finger": 0.0401, "of another robot": 1.0}
     home = home_of(cart, measured, 0.05)
     assert home == {"wheel": pytest.approx(4.71 - 2 * math.pi), "finger": 0.04}

@@ -3,6 +3,7 @@
 """Execution: both controllers at the same time, and everything that can go wrong there."""
 
 import time
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -12,9 +13,15 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from graspless_msgs.action import PlanTask
 from rclpy.action import ActionClient
 from rig import EXAMPLES, PATIENCE, TASK
+from sensor_msgs.msg import JointState
 
 import graspless
-from graspless.ros.messages import pose_of, seconds_of, time_of
+from graspless.ros.controllers import turns_at_start
+from graspless.ros.jobs import Found
+from graspless.ros.measured import Joint
+from graspless.ros.messages import RefusedError, pose_of, seconds_of, time_of
+from graspless.ros.senses import Joints
+from graspless.ros.settings import Settings
 
 DONE, CANCELED, ABORTED = (
     GoalStatus.STATUS_SUCCEEDED,
@@ -147,6 +154,17 @@ def test_refuses_a_robot_that_is_elsewhere(bus):
     assert (status, result.motion.status) == (ABORTED, "refused")
     assert "not at the start" in result.motion.reason
     assert not bus.rig.heard
+
+
+@pytest.mark.parametrize(("off", "is_there"), [(0.004, True), (0.006, False)])
+def test_sliding_joints_start_within_a_tenth_of_the_tolerance(off, is_there):
+    joint = Joint(is_continuous=False, weight=10.0, driver="finger", multiplier=1.0, offset=0.0)
+    found = Found(joint_names=["finger"], joints={"finger": joint}, positions=np.zeros((2, 1)))
+    joints = Joints(lambda: 0.0)
+    joints.hear(JointState(name=["finger"], position=[off]))
+    reason = "finger is 0.006 and should be 0.000"
+    with nullcontext() if is_there else pytest.raises(RefusedError, match=reason):
+        turns_at_start(found, joints, Settings())
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf")])

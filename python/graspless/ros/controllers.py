@@ -80,7 +80,7 @@ def turns_at_start(found: Found, joints: Joints, settings: Settings) -> Matrix:
     q = joints.positions(found.joint_names, settings.joint_state_seconds)
     turns = turns_of(found, q)
     start = found.positions[0] + turns
-    off = np.abs(q - start)
+    off = np.abs(q - start) * [found.joints[name].weight for name in found.joint_names]
     k = int(np.argmax(off))
     if off[k] > settings.start_tolerance:
         raise RefusedError(

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .jobs import Found
 
 _TURN = 2 * np.pi
+_WEIGHTS = {"revolute": 1.0, "continuous": 1.0, "prismatic": 10.0}  # as in Robot.step_weights
 
 
 @dataclass(frozen=True)
@@ -33,12 +34,15 @@ class Joint:
     ----------
     is_continuous : bool
         True if a whole turn changes nothing.
+    weight : float
+        Weight of its motion, as in Robot.step_weights.
     driver, multiplier, offset : str, float, float
         A mimic joint is at multiplier * (value of the driver) + offset [rad or m]. An independent
         joint is its own driver.
     """
 
     is_continuous: bool
+    weight: float
     driver: str
     multiplier: float
     offset: float
@@ -48,9 +52,9 @@ def joints_of(robot: Robot) -> dict[str, Joint]:
     """Returns the joints of a robot that move, by their names, mimic joints included."""
     elements = {each.get("name", ""): each for each in parse(robot.urdf).iterfind("joint")}
     return {
-        name: Joint(element.get("type") == "continuous", *_drive(element, elements))
+        name: Joint(kind == "continuous", _WEIGHTS[kind], *_drive(element, elements))
         for name, element in elements.items()
-        if element.get("type") in ("revolute", "continuous", "prismatic")
+        if (kind := element.get("type", "")) in _WEIGHTS
     }
 
 
@@ -78,7 +82,7 @@ def home_of(robot: Robot, measured: Mapping[str, float], tolerance: float) -> di
         if joints[name].is_continuous:
             q -= _TURN * round(q / _TURN)
         near = min(max(q, float(robot.lower[k])), float(robot.upper[k]))
-        home[name] = near if abs(q - near) * robot.step_weights[k] <= tolerance else q
+        home[name] = near if abs(q - near) * joints[name].weight <= tolerance else q
     return home
 
 

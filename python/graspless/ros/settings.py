@@ -57,7 +57,8 @@ class Settings:
     queue: int = _about(32, "number of goals that wait or are planned; more are refused")
     joint_state_seconds: float = _about(0.5, "age of the oldest joint state to trust [s]")
     start_tolerance: float = _about(
-        0.05, "distance of a joint from the start of its trajectory [rad or m]"
+        0.05,
+        "distance of a joint from the start of its trajectory [rad; of sliding joints 1/10 m]",
     )
     start_seconds: float = _about(0.3, "time from sending a trajectory to its start [s]")
     image_seconds: float = _about(5.0, "time to wait for an image that is newer than the goal [s]")
