@@ -16,6 +16,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from graspless import frames, perception
+from graspless.robot import Robot
 from graspless.ros.fake_world import SCENE, X_WC, World, _shape
 from graspless.ros.halting import HaltedError, Timer, positions
 from graspless.ros.messages import (
@@ -27,9 +28,12 @@ from graspless.ros.messages import (
     pose_of,
     time_of,
 )
-from graspless.ros.senses import Joints
+from graspless.ros.robot import robot_fields
+from graspless.ros.senses import Description, Joints
+from graspless.ros.settings import Settings
 from graspless.ros.transforms import Transforms
 from graspless.ros.workers import Alarm
+from graspless.tasks.shapes import Pose, pose_matrix
 
 
 def moved(child, parent, X, stamp=0.0):
@@ -101,6 +105,22 @@ def test_frames_that_are_none():
     transforms.hear(moved("b", "a", np.eye(4)), True)
     with pytest.raises(RefusedError, match="loop"):
         transforms.lookup("w", "a")
+
+
+def test_a_robot_on_a_planar_joint_is_where_tf_says():
+    urdf = """<robot name="cart"><link name="odom"/><link name="base"/>
+      <joint name="drive" type="planar"><parent link="odom"/><child link="base"/>
+        <origin xyz="0.1 0 0.2" rpy="0 0 1"/></joint>%s</robot>"""
+    X_WB, X_BC = (some_pose(np.random.default_rng(k)) for k in (1, 2))
+    transforms = Transforms()
+    transforms.hear(moved("odom", "world", X_WB), True)
+    transforms.hear(moved("base", "odom", X_BC), True)
+    fields = robot_fields(Description(urdf % "", ""), transforms, Settings())
+    cart = Robot.from_urdf(urdf % "", X_WB=pose_matrix(Pose(**fields["pose"])))
+    np.testing.assert_allclose(cart.pose(cart.frame("base"), []), X_WB @ X_BC, atol=1e-9)
+    other = '<link name="other"/><joint name="fly" type="floating"><parent link="odom"/><child link="other"/></joint>'
+    with pytest.raises(RefusedError, match="has 2 planar or floating joints, not one: drive, fly"):
+        robot_fields(Description(urdf % other, ""), transforms, Settings())
 
 
 def test_joints_ignore_states_that_are_out_of_order():

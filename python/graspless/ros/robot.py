@@ -8,6 +8,9 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .. import frames
 from .._xml import parse
 from ..errors import TaskError, explain
 from ..tasks.meshes import package_of
@@ -15,6 +18,9 @@ from ..tasks.statement import pose_fields
 from .messages import RefusedError
 
 if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+    from ..frames import Matrix
     from .senses import Description
     from .settings import Settings
     from .transforms import Transforms
@@ -28,26 +34,49 @@ def robot_fields(
     Raises
     ------
     RefusedError
-        The description is not well-formed, or tf does not know where its root link is.
+        The description is not well-formed, or tf does not know where the robot is.
     """
     urdf, srdf = description.texts()
     if not urdf:
         return None
     try:
         tree = parse(urdf)
+        link, X_CB = _placed_link(tree)
     except (TaskError, ValueError, SyntaxError) as error:
         raise RefusedError(f"robot_description: {explain(error)}") from None
     names = {package_of(mesh.get("filename", "")) for mesh in tree.iterfind(".//mesh")}
     packages = {name: str(folder) for name in names if name and (folder := _share_of(name))}
+    X_WC = transforms.lookup(settings.world_frame, link, patience=settings.tf_seconds)
+    X_WB = X_WC @ X_CB
+    pose = {key: [float(v) for v in row] for key, row in pose_fields(X_WB).items()}
+    fields: dict[str, Any] = {"urdf_text": urdf, "packages": packages, "pose": pose}
+    return fields | {"srdf_text": srdf} if srdf else fields
+
+
+def _placed_link(tree: Element) -> tuple[str, Matrix]:
+    """Returns a link C that tf is asked for, and the pose X_CB of the root link in it.
+
+    It is the root link, or the link that a planar or floating joint carries there: planners take
+    such a joint for fixed at 0, and tf knows where it is.
+    """
     children = {child.get("link") for child in tree.iterfind("joint/child")}
     roots = [link.get("name", "") for link in tree.iterfind("link")]
     roots = [name for name in roots if name not in children]
     if len(roots) != 1:
-        raise RefusedError(f"robot_description: has {len(roots)} root links, not one")
-    X_WB = transforms.lookup(settings.world_frame, roots[0], patience=settings.tf_seconds)
-    pose = {key: [float(v) for v in row] for key, row in pose_fields(X_WB).items()}
-    fields: dict[str, Any] = {"urdf_text": urdf, "packages": packages, "pose": pose}
-    return fields | {"srdf_text": srdf} if srdf else fields
+        raise ValueError(f"has {len(roots)} root links, not one")
+    free = [
+        joint for joint in tree.iterfind("joint") if joint.get("type") in ("planar", "floating")
+    ]
+    if not free:
+        return roots[0], np.eye(4)
+    if len(free) > 1:
+        names = ", ".join(joint.get("name", "") for joint in free)
+        raise ValueError(f"has {len(free)} planar or floating joints, not one: {names}")
+    child, origin = free[0].find("child"), free[0].find("origin")
+    given = {} if origin is None else origin.attrib
+    p_BC, rpy = ([float(v) for v in given.get(key, "0 0 0").split()] for key in ("xyz", "rpy"))
+    X_BC = frames.translation(p_BC) @ frames.from_rpy(rpy)
+    return "" if child is None else child.get("link", ""), np.linalg.inv(X_BC)
 
 
 def _share_of(package: str) -> Path | None:
