@@ -123,7 +123,7 @@ def test_continuous_joints_may_have_made_whole_turns(bus, endless, closed_loop):
 
 def test_mimic_joints_of_a_controller_move_as_their_drivers(bus):
     fingers = ["left_finger_joint", "right_finger_joint"]
-    bus.another_node("fingers", changes={"hand.joints": fingers})
+    node = bus.another_node("fingers", changes={"hand.joints": fingers})
     client = ActionClient(bus.client, PlanTask, "/fingers/plan_task")
     assert client.wait_for_server(PATIENCE)
     try:
@@ -142,6 +142,7 @@ def test_mimic_joints_of_a_controller_move_as_their_drivers(bus):
     finally:
         with bus.rig.lock:
             del bus.rig.q["right_finger_joint"]
+        bus.wait(bus.executors[1].create_task(node.trigger_shutdown))  # it takes time of the other
 
 
 def test_refuses_a_robot_that_is_elsewhere(bus):

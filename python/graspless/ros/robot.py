@@ -76,7 +76,7 @@ def _placed_link(tree: Element) -> tuple[str, Matrix]:
     given = {} if origin is None else origin.attrib
     p_BC, rpy = ([float(v) for v in given.get(key, "0 0 0").split()] for key in ("xyz", "rpy"))
     X_BC = frames.translation(p_BC) @ frames.from_rpy(rpy)
-    return "" if child is None else child.get("link", ""), np.linalg.inv(X_BC)
+    return "" if child is None else child.get("link", ""), np.asarray(np.linalg.inv(X_BC), float)
 
 
 def _share_of(package: str) -> Path | None:
