@@ -73,6 +73,20 @@ TEST(End, AnInterruptedOneGoesOn) {
   EXPECT_TRUE(rest.X_WO_goal.isApprox(*problem.X_WO_end, 1e-4));
 }
 
+TEST(End, AnInterruptedOneEndsOnlyWhereTheSupportHoldsIt) {
+  Problem problem = sticking_out();
+  const Plan found = plan(problem, {}, seeded(1));
+  ASSERT_TRUE(found) << found.reason;
+  const Segment& slide = found.segments[2];
+  const std::size_t row = slide.positions.size() / 2;
+  Options strict;
+  strict.com_margin = 0.3;
+  const Plan rest = resume(problem, {slide.positions[row], slide.object_poses[row], std::nullopt},
+                           strict, seeded(1));
+  EXPECT_EQ(rest.status, Status::no_goal_root);
+  EXPECT_NE(rest.reason.find("options.com_margin asks for"), std::string::npos) << rest.reason;
+}
+
 TEST(End, CheckFindsAnotherPlace) {
   Problem problem = sticking_out();
   const Plan found = plan(problem, {}, seeded(1));

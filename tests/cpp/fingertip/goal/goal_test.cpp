@@ -64,6 +64,19 @@ TEST(Goal, WithoutTumblesIsASlide) {
   expect_holds(problem, options, plan);
 }
 
+TEST(Goal, APoseWithRoundedAnglesIsReached) {
+  Eigen::Isometry3d X_WO_goal(Eigen::AngleAxisd(3.14159, Eigen::Vector3d::UnitY()));
+  X_WO_goal.translation() << 0.1, 0, 0.05;
+  Problem problem = block_problem(X_WO_goal);
+  std::get<Goal>(problem.motion).max_tumbles = 2;
+  const Options options = coarse();
+  const Plan plan = fingertip::plan(problem, options);
+  ASSERT_TRUE(plan) << plan.reason;
+  expect_holds(problem, options, plan);
+  std::get<Goal>(problem.motion).X_WO_goal.translation().x() += 1e-5;
+  EXPECT_FALSE(check(problem, plan, options).empty());
+}
+
 TEST(Goal, SlidesAndTumblesToAPoseAndFace) {
   const Problem problem = block_problem(on_floor(0.2, 0.05, 0.4, 0.025) * tumbled_forward());
   const Options options = coarse();

@@ -194,6 +194,19 @@ TEST(Lattice, SlideAlongOneAxisIsThePathsSlide) {
   EXPECT_TRUE(check(problem, plan).empty()) << check(problem, plan).front();
 }
 
+TEST(Lattice, TurnInPlaceOnASlopeIsThePathsTurn) {
+  Problem problem = block_problem({0, 0, 0.8}, {0, 0, 0}, {0, 0, 0.8}, {1, 1, 5});
+  problem.gravity_W = {2.5, 0, -9.5};
+  Problem as_path = problem;
+  Path turn;
+  for (int i = 0; i <= 4; ++i) turn.X_WO.push_back(on_floor(0, 0, 0.2 * i));
+  as_path.motion = turn;
+  const Plan plan = fingertip::plan(problem), expected = fingertip::plan(as_path);
+  ASSERT_TRUE(plan) << plan.reason;
+  EXPECT_NEAR(plan.cost, expected.cost, 1e-9);
+  EXPECT_TRUE(check(problem, plan).empty()) << check(problem, plan).front();
+}
+
 TEST(Lattice, TurnInPlaceIsThePathsTurn) {
   const Problem problem = block_problem({0, 0, kPi / 2}, {0, 0, 0}, {0, 0, kPi / 2}, {1, 1, 16});
   Problem as_path = problem;
