@@ -5,16 +5,18 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import yaml
 
 import graspless
-from following_common import CAMERA, CARD, World, phases
-from graspless import slide
-from graspless.following import Settings
+from following_common import CAMERA, CARD, PATIENT, World, phases
+from graspless import frames, slide
+from graspless.following import Follower, Settings
 from graspless.following.guard import Guard
+from graspless.following.hand import Hand
 from graspless.following.replan import Replanner
 
 
@@ -171,6 +173,38 @@ def test_an_object_that_hardly_turns_with_the_finger_is_grasped_as_it_lies(plan,
     assert world.follower.restarts <= 1
     assert world.error()[0] < 0.004
     assert world.error()[1] < Settings().grasp_correct_angle
+
+
+@pytest.mark.parametrize(("beyond", "correct"), [(0.005, 0.006), (0.001, 0.2)])
+def test_the_finger_stays_on_an_object_that_falls_without_it(plan, monkeypatch, beyond, correct):
+    """To begin anew it would lift at once, else at the end of the slide."""
+    monkeypatch.setattr(Replanner, "resume", lambda *_: (None, "no plan"))
+    world = World(plan)
+    world.follower = Follower(plan, replace(PATIENT, correct=correct, shift=0))
+    world.run(lambda target: target.phase == "slide")
+    world.run(lambda _: world.follower._course.left < 0.002)
+    polygon, com = world.problem.support.polygon, world.X_WO[:2, 3]  # of a card at z = 0
+    out = -polygon.nearest_edge(com).inward
+    world.kick(*(polygon.depth(com) + beyond) * out, 0)
+    target = world.run()
+    assert (target.status, target.phase) == ("stopped", "slide")
+    assert target.reason.startswith("the centre of mass is beyond the support's edge")
+    assert target.reason.endswith("; no plan") == (correct < 0.2)
+    assert world.follower.restarts == 0
+    for _ in range(50):
+        held = world.step()
+    np.testing.assert_array_equal(held.velocity, np.zeros_like(held.velocity))
+
+
+def test_the_centre_of_mass_is_compared_with_the_edge_along_gravity(plan):
+    """On a slope it is beyond the lower edge before the object's origin is."""
+    hand = Hand(plan.task.problem)
+    hand.X_WS = hand.X_WS @ frames.from_rpy([0, 0.1, 0])  # down towards +x
+    hand.X_SW = np.linalg.inv(hand.X_WS)
+    guard = Guard(plan, hand)
+    guard._com = np.array([0, 0, 0.1, 1])
+    edge = max(x for x, _ in plan.task.problem.support.polygon.vertices)
+    assert [guard.falls(np.array([edge - x, 0, 0])) for x in (0.009, 0.011)] == [True, False]
 
 
 def test_an_object_out_of_touch_is_touched_anew(plan):

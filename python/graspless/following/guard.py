@@ -24,8 +24,10 @@ class Guard:
     """Tests robot and object against support and obstacles, and the robot against itself."""
 
     def __init__(self, plan: Plan, hand: Hand) -> None:
-        self._surroundings = slide.Surroundings(plan.task.problem, plan.task.options)
+        problem = plan.task.problem
+        self._surroundings = slide.Surroundings(problem, plan.task.options)
         self._hand = hand
+        self._polygon, self._com = problem.support.polygon, np.append(problem.object.com, 1.0)
 
     def touching(self, phase: str, q: Matrix, place: Matrix, height: float = 0.0) -> str:
         """Returns a pair that touches, "a - b", or an empty text.
@@ -53,6 +55,16 @@ class Guard:
         moves = course.name in IN_CONTACT
         place = plane.compose(motion, course.place(later)) if moves else deviation.place
         return self.touching(course.name, q, place, correction.height)
+
+    def falls(self, place: Matrix) -> bool:
+        """Returns True if an object at a place [3] falls when the finger leaves it.
+
+        Its centre of mass, projected along gravity, is beyond the support's edge.
+        """
+        com = (self._hand.X_SW @ self._hand.pose(place) @ self._com)[:3]
+        up = self._hand.X_WS[2, :3]
+        foot = com - up * (com[2] / up[2])
+        return float(self._polygon.depth(foot[:2])) < 0
 
     def free_part(self, phase: str, path: Matrix, place: Matrix) -> Matrix:
         """Returns the rows [N, dof] of a path up to the first that touches, two at least.

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 RETREAT = "retreat"
 HOPELESS = 2.0  # times what is corrected in place: where a slide does not go on without new plan
 ELSEWHERE = "the object is not where the plan has it"
+_FALLS = (
+    "the centre of mass is beyond the support's edge: the object falls when the finger leaves it"
+)
 
 
 class Pursuit:
@@ -94,6 +97,9 @@ class Pursuit:
             self._is_looking = True
             self._camera.forget()
             return
+        if self._course.name in IN_CONTACT and self._guard.falls(self.estimate.place):
+            self._stop(_FALLS)
+            return
         self._index += 1
         if not self.is_done:
             self._begin(self._index)
@@ -132,14 +138,20 @@ class Pursuit:
             self._begin(0, q, self._motion.velocity)
 
     def _begin_anew(self) -> None:
-        """Lifts the hand straight up if it may touch the object, to begin anew from there."""
+        """Lifts the hand straight up if it may touch the object, to begin anew from there.
+
+        The finger stays on an object that only it holds.
+        """
         reason, self._restart = self._restart, ""
+        lifts, place = self._course.name in IN_CONTACT, self.estimate.place
+        if lifts and self._guard.falls(place):
+            self._stop(f"{_FALLS}; {reason}")
+            return
         if self.restarts >= self.settings.restarts:
             self._stop(f"began anew {self.restarts} times; now {reason}")
             return
         self.restarts += 1
         self._reason = f"begins anew: {reason}"
-        lifts, place = self._course.name in IN_CONTACT, self.estimate.place
         segment = self._replanner.retreat(self._motion.base, place, lifts)
         self._index = -1
         self._correction.clear()
