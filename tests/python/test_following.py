@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import math
 import re
 from types import SimpleNamespace
@@ -170,6 +171,20 @@ def test_a_slide_that_stays_blind_is_given_up(plan):
         held = world.step()
     np.testing.assert_array_equal(held.position, world.targets[-2].position)
     assert held.status == "stopped"
+
+
+def test_time_without_poses_before_the_slide_is_not_lost_time_of_the_slide(plan):
+    """The arm hides the object while it comes, and the slide waits for the next pose."""
+    world, lost = World(plan, **CAMERA), 2.0
+    world.follower = Follower(plan, dataclasses.replace(PATIENT, lost_seconds=lost))
+    world.run(lambda target: target.phase == "approach" and target.status == "moving")
+    hidden, world.camera = world.t, 0
+    world.run(lambda target: target.phase == "slide")
+    assert world.t - hidden > lost
+    assert world.step().status == "waiting"
+    began = world.t
+    assert world.run().status == "stopped"
+    assert world.t - began == pytest.approx(lost, abs=0.05)
 
 
 REFUSED = {

@@ -158,7 +158,9 @@ class Follower(Pursuit):
         waits, is_lost = self._watch.joints(seconds, q, self._motion.target)
         camera, is_failing = self._camera, self._is_looking and self._camera.is_failing
         if not waits and (is_failing or self._course.name in IN_CONTACT):
-            waits, is_lost = self._watch.poses(self._t - camera.since, camera.refused, is_failing)
+            since = self._t - camera.since
+            lost = min(since, self._t - self._began)
+            waits, is_lost = self._watch.poses(since, lost, camera.refused, is_failing)
         if waits and is_lost:
             self._stop(waits)
         return waits

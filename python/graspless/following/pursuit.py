@@ -61,6 +61,7 @@ class Pursuit:
         self._motion = Motion(problem, self._hand, limits, settings, plan.segments[0])
         self._camera = Camera(problem, self._hand)
         self._t = self._planned = -np.inf
+        self._began = -np.inf  # time at which the slide, or another segment, began [s]
         self._still = 0.0  # time since the segment ended
         self._at_end = 0.0, 0.0  # turn of the hand and error of the object then [rad]
         self._is_stuck = False  # the object has not followed the turn of the hand since
@@ -100,7 +101,7 @@ class Pursuit:
         if self._course.name in IN_CONTACT and self._guard.falls(self.estimate.place):
             self._stop(_FALLS)
             return
-        self._index += 1
+        self._index, self._began = self._index + 1, self._t
         if not self.is_done:
             self._begin(self._index)
 

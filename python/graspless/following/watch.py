@@ -41,16 +41,19 @@ class Watch:
         at_once = bool(far) and not self._has_matched
         return fault or far, at_once or self._faulty > self._settings.joint_seconds
 
-    def poses(self, seconds: float, refused: str, is_looking: bool) -> tuple[str, bool]:
+    def poses(
+        self, seconds: float, lost: float, refused: str, is_looking: bool
+    ) -> tuple[str, bool]:
         """Returns the same for `seconds` without a usable pose; infinite if none was given.
 
-        `refused` is the verdict on the last one, or empty.
+        `lost` is the part of them since the slide began [s]. `refused` is the verdict on the last
+        one, or empty.
         """
         s = self._settings
         least = min(s.blind_seconds, s.look_seconds) if is_looking else s.blind_seconds
         if not least < seconds < np.inf:
             return "", False
-        return without_pose(f"for {seconds:.1f} s", refused), seconds > s.lost_seconds
+        return without_pose(f"for {seconds:.1f} s", refused), lost > s.lost_seconds
 
     def _far(self, joints: Matrix, target: Matrix) -> str:
         """Returns the joint of the arm that is farthest from its target, if it is too far."""
