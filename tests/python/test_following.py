@@ -192,6 +192,7 @@ REFUSED = {
     "transposed": (lambda X: {"pose": X.T}, "not_a_pose"),
     "flat": (lambda X: {"pose": X, "covariance": np.eye(6).ravel()}, "not_a_covariance"),
     "of zeros": (lambda X: {"pose": X, "covariance": np.zeros((6, 6))}, "not_a_covariance"),
+    "vague": (lambda X: {"pose": X, "covariance": np.eye(6)}, "vague"),
     "no age": (lambda X: {"pose": X, "age": None}, "bad_age"),
     "late": (lambda X: {"pose": X, "age": 1.5}, "late"),
 }
@@ -273,6 +274,15 @@ POSES = {
         "not_a_covariance",
     ),
     "covariance nan": (lambda X: {"pose": X, "covariance": np.nan * np.eye(6)}, "not_a_covariance"),
+    "vague": (lambda X: {"pose": X, "covariance": 0.003 * np.eye(6)}, "vague"),
+    "of a round object": (
+        lambda X: {"pose": X, "covariance": np.diag([1e-5, 1e-5, 1e6, 1e6, 1e6, 1e6])},
+        "used",
+    ),
+    "vague and off": (
+        lambda X: {"pose": frames.translation([2, 0, 0]) @ X, "covariance": np.eye(6)},
+        "vague",
+    ),
     "asymmetric by rounding": (
         lambda X: {"pose": X, "covariance": 1e-4 * (np.eye(6) + np.triu(np.full((6, 6), 1e-4), 1))},
         "used",

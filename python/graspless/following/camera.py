@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 TILT = 0.35  # of an object beyond which it does not lie on its support [rad], unless it is narrow
 HEIGHT = 0.02  # above or below its support, the same; and of what a roll of it lifts [m]
 OUTSIDE = 0.02  # of its centre of mass beyond the support's edge, the same [m]
+VAGUE = 0.05  # standard deviation of a position along the support that says nothing [m]
 _ORTHOGONAL = 1e-3  # tolerance of a rotation
 _SYMMETRIC = 1e-3  # tolerance of a covariance, as of a correlation
 _AHEAD = 0.005  # of the loop's clock that the camera's may be: an age below 0 counts as 0 then [s]
@@ -79,13 +80,16 @@ class Camera:
         taken = t - max(seconds, 0.0)
         if taken <= self._newest:
             return "out_of_order"
+        flat = self._flat(R)
+        if flat is not None and max(flat[0, 0], flat[1, 1]) > VAGUE**2:
+            return "vague"
         X_SO = self._hand.X_SW @ X_WO
         fault = self._off(X_SO)
         if fault:
             self.off += 1
             return fault
         seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
-        verdict = estimate.measure(taken - lag, seen, self._flat(R))
+        verdict = estimate.measure(taken - lag, seen, flat)
         if verdict in ("used", "moved"):
             self._newest, self.off = taken, 0
         return verdict

@@ -158,7 +158,8 @@ class Target:
     pose : str
         What became of the pose of this update: none was given; used; moved: the object jumped, as
         several poses agree; jumped: unlike the other poses; late; out_of_order; not_a_pose;
-        not_a_covariance; bad_age; off_support; tilted; bad_time: came with a t that is a fault.
+        not_a_covariance; vague: has a covariance that is too large; bad_age; off_support; tilted;
+        bad_time: came with a t that is a fault.
     """
 
     position: Matrix
