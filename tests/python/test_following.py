@@ -323,6 +323,19 @@ def test_each_pose_has_a_verdict_and_bad_ones_move_nothing(moving, name):
     assert np.abs(off).max() < 3e-3  # the estimate is where it was, a lag before the object
 
 
+@pytest.mark.parametrize(("off", "verdict"), [(0.05, "jumped"), (2.0, "off_support")])
+def test_one_wrong_pose_that_is_given_again_and_again_is_still_one(plan, off, verdict):
+    """A loop of 100 Hz reads the poses of a camera of 30 Hz, with their true ages."""
+    world, verdicts = World(plan, rate=100.0, camera=0), []
+    for k in range(60):
+        age = 0.04 + k % 6 / 100
+        wrong = frames.translation([off, 0, 0]) if 30 <= k < 36 else np.eye(4)
+        verdicts.append(world.step(pose=wrong @ world.X_WO, age=age).pose)
+    once = ["out_of_order"] * 5
+    assert verdicts == 5 * ["used", *once] + [verdict, *once] + 4 * ["used", *once]
+    assert world.targets[-1].status != "stopped"
+
+
 JOINTS = {
     "text": ("here", "q: should be an array of numbers"),
     "none": (None, "q: shape"),

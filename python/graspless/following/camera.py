@@ -23,6 +23,7 @@ OUTSIDE = 0.02  # of its centre of mass beyond the support's edge, the same [m]
 VAGUE = 0.05  # standard deviation of a position along the support that says nothing [m]
 _ORTHOGONAL = 1e-3  # tolerance of a rotation
 _SYMMETRIC = 1e-3  # tolerance of a covariance, as of a correlation
+_SAME = 1e-6  # between times of one exposure whose age was rounded [s]
 _AHEAD = 0.005  # of the loop's clock that the camera's may be: an age below 0 counts as 0 then [s]
 
 
@@ -78,8 +79,9 @@ class Camera:
         if seconds > MEMORY:
             return "late"
         taken = t - max(seconds, 0.0)
-        if taken <= self._newest:
+        if taken <= self._newest + _SAME:
             return "out_of_order"
+        self._newest = taken
         flat = self._flat(R)
         if flat is not None and max(flat[0, 0], flat[1, 1]) > VAGUE**2:
             return "vague"
@@ -91,7 +93,7 @@ class Camera:
         seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
         verdict = estimate.measure(taken - lag, seen, flat)
         if verdict in ("used", "moved"):
-            self._newest, self.off = taken, 0
+            self.off = 0
         return verdict
 
     def _off(self, X_SO: Matrix) -> str:
