@@ -456,6 +456,21 @@ def test_the_rest_of_a_slide_is_followed_from_where_the_object_is(plan):
     np.testing.assert_allclose(follower.estimate.mean[:3], expected, atol=1e-6)
 
 
+@pytest.mark.parametrize(("off", "counts"), [(0.008, (1, 0)), (0.12, (0, 1))])
+def test_the_rest_of_a_slide_is_planned_anew_before_the_arm_moves(plan, off, counts):
+    """Pressed, a finger has no start for a whole plan: it is lifted first where it lost touch."""
+    way = next(segment for segment in plan.segments if segment.name == "slide")
+    k = len(way) // 2
+    world = World(slide.resume(plan, way.positions[k], way.object_poses[k]))
+    world.X_WO = way.object_poses[k]
+    world.kick(0, off, 0)
+    target = world.run(lambda target: target.status == "moving")
+    np.testing.assert_allclose(target.position, way.positions[k], atol=1e-4)
+    assert (world.follower.resumes, world.follower.restarts) == counts
+    assert world.run().status == "done"
+    assert world.error()[0] < 0.003
+
+
 def test_a_search_that_later_poses_make_needless_does_not_keep_it_waiting(plan):
     world = World(plan)
     world.run(until=lambda target: target.status == "looking")

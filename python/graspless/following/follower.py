@@ -176,6 +176,10 @@ class Follower(Pursuit):
             return
         if self._course.name == RETREAT and not self._camera.used:
             self._stop(without_pose(f"in {s.look_seconds:g} s", self._camera.refused))
+        elif self._course.name in IN_CONTACT and self._deviation.is_large(s):
+            self._resume(at_rest=True)
+            if self._restart:
+                self._begin_anew()
         elif self._course.name == RETREAT or self._deviation.is_large(s):
             self._plan_anew()
         else:  # a search may be under way, for a pose of which later ones differ
