@@ -68,6 +68,20 @@ def test_a_card_is_slid_and_lifted(nominal):
     assert set(nominal.measures) == set(MEASURES)
 
 
+def test_an_object_that_slides_down_a_slope_has_not_fallen():
+    plan = graspless.plan(_data.directory("examples") / "03_tilted_l_table.yaml")
+    execution = Execution(plan, Variation(), Slide())
+    judge, data, X_WO = execution.judge, execution.data, execution.scene.X_WO
+    normal = plan.task.problem.support.normal_W
+    down = np.array([0, 0, -1]) + normal[2] * normal
+    for way, height, failures in ((0.3, -0.01, []), (0, -0.03, ["fell"])):
+        at = X_WO[:3, 3] + way * down / np.linalg.norm(down) + height * normal
+        data.xpos[execution.scene.model.body(OBJECT).id] = at
+        data.xmat[execution.scene.model.body(OBJECT).id] = X_WO[:3, :3].ravel()
+        judge.look(data, "approach")
+        assert judge.failures == failures
+
+
 @pytest.mark.parametrize("model", ["impedance", "rigid_guarded"])
 def test_a_rigid_finger_slides_and_lifts_too(model):
     document = yaml.safe_load(CARD.read_text())

@@ -208,7 +208,7 @@ class _Carried(Execution):
         self._asked: Matrix = put[:3, 3] - begin[:3, 3]
         self._is_put = False
         self._lowest = min(
-            float(segment.object_poses[:, 2, 3].min())
+            float(self.judge.height(segment.object_poses[:, :3, 3]).min())
             for stage in carries
             for segment in stage.segments
         )

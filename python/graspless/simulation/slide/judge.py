@@ -47,7 +47,7 @@ class Judge:
     failures: list[str] = field(default_factory=list)
     forces: list[float] = field(default_factory=list)  # of the tip while it slides [N]
     touched: tuple[str, str] | None = None  # what hit what
-    lowest: float = field(init=False)  # where the object has not fallen yet [m]
+    lowest: float = field(init=False)  # height where the object has not fallen yet [m]
     _lost: float = 0.0
     _has_fallen: bool = False
 
@@ -72,7 +72,7 @@ class Judge:
         self._body = model.body(OBJECT).id
         self._others = sorted(set(model.geom_bodyid[self.scene.groups[NEIGHBOUR]]))
         self._stood = model.body_pos[self._others].copy()
-        self.lowest = self.scene.X_WO[2, 3] - self.settings.fell
+        self.lowest = -self.settings.fell
 
     def look(self, data: Any, phase: str) -> None:
         """Records the failures of the current state."""
@@ -88,7 +88,7 @@ class Judge:
         self._watch_others(data)
         if phase in _BEFORE_GRASP and not self.tilt(data) <= self.settings.tipped:
             self.note("tipped")
-        if not data.xpos[self._body][2] >= self.lowest:
+        if not self.height(data.xpos[self._body]) >= self.lowest:
             self._has_fallen = True
             self.note("fell" if phase not in ("raise", "hold") else "dropped")
 
@@ -112,6 +112,13 @@ class Judge:
         X_WO = frames.from_quaternion(data.xquat[self._body])
         X_WO[:3, 3] = data.xpos[self._body]
         return X_WO
+
+    def height(self, p_WO: Matrix) -> Any:
+        """Returns the height of points [..., 3] above the object's start [m].
+
+        It is that along the support's normal: an object that slides down a slope keeps it.
+        """
+        return (p_WO - self.scene.X_WO[:3, 3]) @ self.scene.X_WO[:3, 2]
 
     def tilt(self, data: Any) -> float:
         """Returns the angle between the object's z axis now and at the start [rad]."""
