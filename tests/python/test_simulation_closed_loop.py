@@ -168,3 +168,14 @@ def test_a_hand_that_begins_anew_after_the_lift_slides_again(plan):
     execution._end_of("reach", "retreat")
     for name, before in zip(contacts, slides, strict=True):
         np.testing.assert_array_equal(getattr(model, name), before)
+
+
+def test_a_slide_that_is_repeated_is_judged_by_its_last_end(plan):
+    execution = FollowedExecution(plan, Variation(), Slide(), [5])
+    goal, at = plan.X_WO_goal, execution.data.body("object")
+    for off, failures in ((0.02, ["off_target"]), (0.001, [])):
+        at.xpos, at.xquat = goal[:3, 3] + [off, 0, 0], frames.to_quaternion(goal)
+        execution._end_of("slide", "lift")
+        assert execution.judge.failures == failures
+        assert execution.measures["position_error"] == pytest.approx(off)
+        execution._end_of("lift", "retreat")

@@ -194,6 +194,7 @@ class Execution:
             "mean_force": float(np.mean(forces)),
             "max_force": float(np.max(forces)),
         }
+        self.judge.withdraw("off_target")  # of a slide that was repeated
         self._note_off_target(position, angle)
 
     def _note_off_target(self, position: float, angle: float) -> None:
