@@ -79,7 +79,7 @@ class Replanner:
         been spent: the next call goes on, with another seed and from the state of then.
         """
         seconds = min(self._settings.search_seconds * 2**doublings, most - self._spent)
-        budget = planning.Budget(seconds=seconds, seed=self._task.seed + self._tries)
+        budget = planning.Budget(seconds=seconds, seed=(self._task.seed + self._tries) % 2**64)
         began = time.thread_time()
         plan = search(budget)
         self.seconds[kind].append(time.thread_time() - began)
