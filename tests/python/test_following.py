@@ -19,6 +19,9 @@ from following_common import CAMERA, CARD, PATIENT, World, phases
 from graspless import _data, frames, slide
 from graspless.errors import TaskError
 from graspless.following import Follower, Noise, Settings
+from graspless.following.camera import Camera
+from graspless.following.estimate import Estimate
+from graspless.following.hand import Hand
 from graspless.timing.settings import ACCELERATION, JERK
 
 
@@ -321,6 +324,21 @@ def test_each_pose_has_a_verdict_and_bad_ones_move_nothing(moving, name):
     assert target.status == "moving"
     off = moving.follower._hand.place(moving.X_WO) - moving.follower.estimate.place
     assert np.abs(off).max() < 3e-3  # the estimate is where it was, a lag before the object
+
+
+def test_a_covariance_is_that_of_the_origin_of_the_object(plan):
+    """Where the yaw is uncertain, so is the place of a centre of mass beside the origin."""
+    given, com = plan.task.problem, np.array([0.03, 0.0, 0.0015])
+    thing, X_WO = given.object.with_com(com), plan.X_WO_start
+    problem = slide.Problem(given.robot, given.hand, thing, given.support, X_WO, given.q_home)
+    hand = Hand(problem)
+    estimate, camera = Estimate(hand.place(X_WO), Noise()), Camera(problem, hand)
+    sure = np.diag([1e-12] * 3 + [1e-6, 1e-6, 1e6])
+    for k in range(3):  # of the yaw the task alone knows anything
+        off = frames.translation([0.001, 0.002, 0]) @ X_WO @ frames.planar(0, 0, 0.15)
+        assert camera.see(k / 30, off, sure, 0.0, 0.0, estimate) == "used"
+    at = hand.pose(estimate.place)[:2, 3] - X_WO[:2, 3]
+    np.testing.assert_allclose(at, [0.001, 0.002], atol=5e-4)
 
 
 @pytest.mark.parametrize(("off", "verdict"), [(0.05, "jumped"), (2.0, "off_support")])

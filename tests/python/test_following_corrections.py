@@ -43,6 +43,26 @@ def test_small_deviations_are_corrected_in_place(plan, off):
     assert angle < np.radians(1.5)
 
 
+def test_deviations_are_those_of_the_centre_of_mass(plan):
+    """An outline may be written far from the origin of O."""
+    document, far = yaml.safe_load(CARD.read_text()), np.array([0.6, 0.0])
+    corners = [[0.06, 0.04], [-0.06, 0.04], [-0.06, -0.04], [0.06, -0.04]]
+    x, y, _ = (plan.X_WO_start @ [*-far, 0, 1])[:3]
+    thing = {"name": "card", "thickness": 0.003, "pose": {"x": x, "y": y, "yaw": 0.4}}
+    polygon = (corners + far).tolist()
+    found = graspless.plan(document | {"object": thing | {"polygon": polygon}})
+    X_OC, X_CO = frames.translation([*far, 0]), frames.translation([*-far, 0])
+    world = World(found)
+    world.X_WO = world.X_WO @ X_OC @ frames.planar(0.003, 0, 0.05) @ X_CO
+    world.run(lambda target: target.phase == "slide" and world.follower._course.clock > 1)
+    world.X_WO = world.X_WO @ X_OC @ frames.planar(0.003, 0, -0.08) @ X_CO
+    assert world.run().status == "done"
+    assert world.follower.plan is found
+    goal = np.linalg.inv(found.X_WO_goal @ X_OC) @ world.X_WO @ X_OC
+    assert np.linalg.norm(goal[:3, 3]) < 0.002
+    assert abs(goal[1, 0]) < np.radians(1)
+
+
 def with_post(plan, path, x, y):
     """The same rows with a post in the world."""
     document = json.loads(plan.to_json())

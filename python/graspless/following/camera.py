@@ -85,22 +85,23 @@ class Camera:
         flat = self._flat(R)
         if flat is not None and max(flat[0, 0], flat[1, 1]) > VAGUE**2:
             return "vague"
-        X_SO = self._hand.X_SW @ X_WO
-        fault = self._off(X_SO)
+        X_SO, seen = self._hand.X_SW @ X_WO, self._hand.seen(X_WO)
+        fault = self._off(X_SO, seen[3])
         if fault:
             self.off += 1
             return fault
-        seen = np.array([*self._hand.place(X_WO), X_SO[2, 3]])
+        if flat is not None:
+            flat = _moved(flat, X_SO[:2, :2] @ self._com[:2])
         verdict = estimate.measure(taken - lag, seen, flat)
         if verdict in ("used", "moved"):
             self.off = 0
         return verdict
 
-    def _off(self, X_SO: Matrix) -> str:
+    def _off(self, X_SO: Matrix, height: float) -> str:
         if self._is_tipped(X_SO):
             return "tilted"
         outside = -float(self._polygon.depth((X_SO @ self._com)[:2]))
-        far = abs(float(X_SO[2, 3])) > HEIGHT or outside > OUTSIDE
+        far = abs(height) > HEIGHT or outside > OUTSIDE
         return "off_support" if far else ""
 
     def _is_tipped(self, X_SO: Matrix) -> bool:
@@ -119,6 +120,13 @@ class Camera:
         keep = [0, 1, 5, 2]
         flat: Matrix = (turn @ R @ turn.T)[np.ix_(keep, keep)]
         return flat
+
+
+def _moved(flat: Matrix, lever: Matrix) -> Matrix:
+    """Returns a covariance of x, y, yaw and height, at a point that is `lever` [2] farther."""
+    moves = np.eye(4)
+    moves[:2, 2] = -lever[1], lever[0]
+    return np.asarray(moves @ flat @ moves.T)
 
 
 def _pose(given: Any) -> Matrix | None:

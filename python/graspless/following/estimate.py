@@ -4,9 +4,10 @@
 
 The process model is the plan's own prediction: in contact the object moves with the fingertip by
 the motion M(t) of the plane, else it stands still. The state is where the object would have been
-before all motion, K = M(t)^-1 X_SO(t), the height of the support's surface, and the bias of the
-camera. K changes only where the object does not follow the finger, so a late pose is compared with
-the M of its own time: delays need no further treatment. The measurement is linear in the state:
+before all motion, K = M(t)^-1 X_SC(t), where C is its centre of mass, the height of the support's
+surface, and the bias of the camera. K changes only where the object does not follow the finger, so
+a late pose is compared with the M of its own time: delays need no further treatment. The
+measurement is linear in the state:
 
     p = p_M(t) + R_M(t) K_xy + b_xy + noise,  yaw = yaw_M(t) + K_yaw + noise,
     height = h + b_z + noise
@@ -76,7 +77,7 @@ class Estimate:
     Parameters
     ----------
     place : array [3]
-        Planned place X_SO: x, y [m] and yaw [rad] in the plane of the support.
+        Planned place X_SC: x, y [m] and yaw [rad] in the plane of the support.
     noise : Noise
     """
 
@@ -94,7 +95,7 @@ class Estimate:
 
     @property
     def place(self) -> Matrix:
-        """Returns X_SO now [3]."""
+        """Returns X_SC now [3]."""
         return plane.compose(self._moved, self.mean[:3])
 
     @property

@@ -20,7 +20,11 @@ _DAMPING = 1e-2  # of singular values squared [m^2 or 1]; with less, joints jump
 
 
 class Hand:
-    """The arm's inverse kinematics, and places in the plane of the support."""
+    """The arm's inverse kinematics, and places in the plane of the support.
+
+    A place is that of the object's centre of mass C, however far from it the origin of O is: x, y
+    [m] and yaw [rad].
+    """
 
     def __init__(self, problem: Problem) -> None:
         hand = problem.hand
@@ -28,15 +32,20 @@ class Hand:
         self.arm = list(self.robot.group(hand.arm))
         self.X_WS = np.array(problem.support.X_WS)
         self.X_SW = np.linalg.inv(self.X_WS)
+        self._X_OC = frames.translation([*problem.object.com[:2], 0.0])
 
     def place(self, X_WO: Matrix) -> Matrix:
         """Returns the place [3] of an object at X_WO."""
-        X_SO = self.X_SW @ X_WO
-        return np.array([X_SO[0, 3], X_SO[1, 3], np.arctan2(X_SO[1, 0], X_SO[0, 0])])
+        return self.seen(X_WO)[:3]
+
+    def seen(self, X_WO: Matrix) -> Matrix:
+        """Returns the place of an object at X_WO, and its height there [4]."""
+        X_SC = self.X_SW @ X_WO @ self._X_OC
+        return np.array([*X_SC[:2, 3], np.arctan2(X_SC[1, 0], X_SC[0, 0]), X_SC[2, 3]])
 
     def pose(self, place: Matrix) -> Matrix:
         """Returns X_WO of an object that lies flat at a place [3]."""
-        X_WO: Matrix = self.X_WS @ frames.planar(*map(float, place))
+        X_WO: Matrix = self.X_WS @ frames.planar(*map(float, place)) @ np.linalg.inv(self._X_OC)
         return X_WO
 
     def away(self, X_WH: Matrix, distance: float) -> Matrix:
