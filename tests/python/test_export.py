@@ -23,7 +23,10 @@ from graspless.errors import install_command
 from graspless.formats import ENDINGS, FORMATS, NOT_TEXT
 from graspless.formats.fingers import contacts
 from graspless.formats.json_model import TrajectoryFile
+from graspless.robot import Robot
+from graspless.simulation.robots import robot_spec
 from graspless.tasks import read_task
+from graspless.tasks.robots import Robot as Fields
 from graspless.timing.squeeze import beyond
 from tasks_common import changed, edited
 from timing_common import planned
@@ -535,16 +538,23 @@ def prism(outline, thickness):
     return trimesh.util.concatenate([trimesh.convex.convex_hull(p) for p in points])
 
 
-def test_mujoco_file_needs_no_other(tmp_path):
-    """A robot with a mesh, and mimic joints where they follow to."""
+MESHES = ["box.stl", "text.stl", "box.obj", "box.off", "box.ply", "box.glb"]
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_mujoco_gets_all_meshes_and_its_file_needs_no_other(tmp_path, name):
+    """Of the files that a URDF may name, MuJoCo itself reads .obj and binary .stl."""
     from graspless.formats import mujoco_scene
 
-    trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / "box.stl")
-    spec = mujoco.MjSpec()
-    spec.add_mesh(name="box", file=str(tmp_path / "box.stl"))
-    spec.worldbody.add_geom(name="box", type=mujoco.mjtGeom.mjGEOM_MESH, meshname="box")
+    kind = "stl_ascii" if name == "text.stl" else None
+    trimesh.creation.box((0.1, 0.2, 0.3)).export(tmp_path / name, file_type=kind)
+    geometry = f'<geometry><mesh filename="{name}"/></geometry>'
+    urdf = f'<robot name="r"><link name="base"><collision>{geometry}</collision></link></robot>'
+    robot = Robot.from_urdf(urdf, directory=str(tmp_path))
+    spec = robot_spec(robot, Fields(urdf_text=urdf, directory=str(tmp_path)))
+    assert spec.compile().nmesh == 1
     mujoco_scene._inline_meshes(spec)
-    (tmp_path / "box.stl").unlink()
+    (tmp_path / name).unlink()
     spec.compile()
     model = mujoco.MjModel.from_xml_string(spec.to_xml())
     np.testing.assert_allclose(np.ptp(model.mesh_vert, axis=0).round(6), [0.1, 0.2, 0.3])

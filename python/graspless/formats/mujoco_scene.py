@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import io
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -137,7 +138,10 @@ def _inline_meshes(spec: Any) -> None:
     """Puts the robot's meshes into the model: the file needs none beside it."""
     for mesh in spec.meshes:
         if mesh.file:
-            loaded: Any = trimesh.load(mesh.file, force="mesh")
+            file, kind = mesh.file, None
+            if file in spec.assets:
+                file, kind = io.BytesIO(spec.assets[file]), "stl"
+            loaded: Any = trimesh.load(file, file_type=kind, force="mesh")
             mesh.uservert = np.asarray(loaded.vertices).ravel().tolist()
             mesh.userface = np.asarray(loaded.faces).ravel().tolist()
             mesh.file = ""

@@ -14,7 +14,7 @@ import numpy as np
 from .. import frames, geometry
 from .._xml import parse
 from ..errors import TaskError
-from ..tasks.meshes import FOREIGN, mesh_path
+from ..tasks.meshes import mesh_path
 from .settings import Servo, Solver
 
 if TYPE_CHECKING:
@@ -195,7 +195,7 @@ def _require_whole_inertial(link: ET.Element) -> None:
 
 
 def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
-    """Returns the URDF for MuJoCo, and the meshes that it cannot read by itself.
+    """Returns the URDF for MuJoCo, and its meshes as STL files, except .obj.
 
     Paths of meshes are absolute, all links are kept separate, shapes have no names, and nothing
     is drawn.
@@ -211,7 +211,7 @@ def _model(fields: RobotFields) -> tuple[str, dict[str, bytes]]:
     for mesh in root.iter("mesh"):
         path = mesh_path(mesh.get("filename", ""), fields.packages, fields.directory)
         name = str(path)
-        if path.suffix.lower() in FOREIGN:
+        if path.suffix.lower() != ".obj":  # of .stl, it reads only binary ones
             name = f"converted_{len(assets)}.stl"
             assets[name] = _as_stl(str(path))
         mesh.set("filename", name)
