@@ -18,6 +18,7 @@ from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_typestore
 
 import graspless
+from fingertip_common import PUSH
 from graspless import TaskError, cli, formats, frames
 from graspless.errors import install_command
 from graspless.formats import ENDINGS, FORMATS, NOT_TEXT
@@ -424,6 +425,20 @@ def test_mujoco_of_bare_fingertips(tmp_path, name):
                 model, data, model.geom("object").id, geom_of(model, f"finger{i}"), 0.1, None
             )
             assert gap == pytest.approx(0, abs=1e-6)
+
+
+def test_mujoco_of_bare_fingertips_has_the_task_s_gravity_and_friction(tmp_path):
+    text = PUSH.replace("friction: 0.7", "friction: 0.3").replace(
+        "motion:", "gravity: [0.2, 0, -1.6]\nmotion:"
+    )
+    model, data = chain(tmp_path, text)
+    np.testing.assert_allclose(model.opt.gravity, [0.2, 0, -1.6])
+    model.geom_margin[:] = 1e-3
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    finger = geom_of(model, "finger0")
+    touches = [contact.friction[0] for contact in data.contact if finger in contact.geom]
+    assert touches == [0.3]  # not that of the object, 0.5
 
 
 def test_mujoco_object_and_obstacles_have_the_task_s_shape(tmp_path):

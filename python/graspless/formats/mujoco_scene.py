@@ -66,6 +66,7 @@ def _slide(spec: Any, body: Any, task: Task) -> None:
 
 def _fingertip(spec: Any, body: Any, task: Task) -> None:
     problem, thing = task.problem, task.problem.object
+    spec.option.gravity = problem.gravity_W
     friction = float(np.mean(problem.friction))
     give_inertia(body, thing.mass, thing.com, thing.inertia)
     mesh = geometry.PlacedShape(thing.mesh)
@@ -130,8 +131,8 @@ def _add_fingers(spec: Any, fingers: Any) -> None:
     friction = [float(np.mean(fingers.friction)), 0.005, 0.0001]
     for i in range(fingers.count):
         body = spec.worldbody.add_body(name=f"{FINGER}{i}", mocap=True)
-        size = [fingers.radius, 0, 0]
-        body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=size, friction=friction)
+        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[fingers.radius, 0, 0])
+        geom.friction, geom.priority = friction, 1  # else MuJoCo takes the larger of two
 
 
 def _inline_meshes(spec: Any) -> None:
