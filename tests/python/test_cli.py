@@ -17,6 +17,7 @@ import pytest
 
 import graspless
 from graspless import report
+from graspless.plan_files import keep_solved
 from tasks_common import GOOD, changed, run
 
 
@@ -104,6 +105,15 @@ def test_a_plan_that_was_not_found_destroys_no_solved_one(task, capsys):
         old.write_bytes(other)
         run(capsys, "plan", "task.yaml", "--iterations", "0")
         assert not kept.exists()
+
+
+def test_output_that_is_a_pipe_is_not_read():
+    read, write = os.pipe()
+    with os.fdopen(read) as pipe:
+        with os.fdopen(write, "w") as end:
+            end.write("what waits in it")
+        assert keep_solved(f"/dev/fd/{read}") is None
+        assert pipe.read() == "what waits in it"
 
 
 def test_out_of_reach_names_what_was_refused(task, capsys):

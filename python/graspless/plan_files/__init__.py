@@ -75,6 +75,8 @@ def keep_solved(path: str | Path) -> Path | None:
 
     Returns its new path, or None if there is no solved plan.
     """
+    if not Path(path).is_file():  # who reads a pipe waits for its writer
+        return None
     try:
         document = json.loads(read_text(path))
     except (TaskError, ValueError, RecursionError):
