@@ -335,6 +335,9 @@ stages:
     assert "task.yaml:3: stages[0].file: 3: should be the path of a task file" in number
     write(changed("thickness: 0.003", "thickness: -1", slide), "sub/slide.yaml")
     assert "sub/slide.yaml:10: object.thickness: -1: should be" in fault(write(text))
+    write(changed("urdf: wam_t42", "urdf: wam_t4", slide), "sub/slide.yaml")
+    typo = "robot.urdf: sub/wam_t4: no such file, nor a robot that comes with graspless; did you"
+    assert f"{typo} mean 'wam_t42'?" in fault(write(text))
 
 
 NO_FILES = {
@@ -378,6 +381,30 @@ def test_the_scene_of_a_stage_s_file_is_beside_it(tmp_path):
     (tmp_path / "scene.yaml").touch()
     document = stages.absolute({"object": {"scene": "scene.yaml"}}, tmp_path)
     assert document == {"object": {"scene": str(tmp_path / "scene.yaml")}}
+
+
+def test_names_in_a_stage_s_file_are_no_paths(tmp_path):
+    for folder in ("hand", "fh", "wam_t42", "kr5_t42"):  # of these names
+        (tmp_path / folder).mkdir()
+    document = {
+        "robot": {"urdf": "wam_t42", "xacro_args": {"hand": "fh"}},
+        "hand": {"arm": "arm", "hand": "hand"},
+    }
+    assert stages.absolute(document, tmp_path) == document
+    robot = {"arm": "wam_t42", "gripper": {"file": "kr5_t42", "mount": "hand"}}
+    given = {"robot": robot, "hand": "hand"}
+    assert stages.absolute(given, tmp_path) == given | {"hand": str(tmp_path / "hand")}
+
+
+def test_a_missing_file_of_a_stage_s_file_is_not_looked_for_elsewhere(tmp_path):
+    document = {"robot": {"urdf": "arm.urdf", "srdf": "arm.srdf", "packages": {"a": "a"}}}
+    robot = stages.absolute(document, tmp_path)["robot"]
+    assert robot["packages"].pop("a") == str(tmp_path / "a")
+    assert robot == {
+        "urdf": str(tmp_path / "arm.urdf"),
+        "srdf": str(tmp_path / "arm.srdf"),
+        "packages": {},
+    }
 
 
 def test_check_finds_a_gap_of_the_object(document, tmp_path):

@@ -138,7 +138,7 @@ def find_urdf(name: str, field: str, place: Location, source: Source, directory:
         hint = f"; did you mean {Path(name, inside[0].name)}?" if len(inside) == 1 else ""
         raise source.error(place, f"{absence(path)}{hint}")
     names = _data.robots()
-    what = f"no such file, nor a robot that comes with graspless{one_of(name, names)}"
+    what = f"no such file, nor a robot that comes with graspless{one_of(Path(name).name, names)}"
     raise source.error(place, what)
 
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ... import _data
 from ...errors import TaskError, suggestion
 from ...files import absence
 from ...kinds import KINDS, part
@@ -139,19 +140,23 @@ def _require_one_object(stage: StageSource, shared: dict[str, Any]) -> None:
 
 
 def absolute(value: Any, directory: Path, key: str = "") -> Any:
-    """Returns a document with absolute paths."""
-    if isinstance(value, dict):
+    """Returns a task or a robot with absolute paths; names of robots stay."""
+    if isinstance(value, dict) and key != "xacro_args":
         inner = key if key == "packages" else ""
-        files = {"arm"} if "gripper" in value else set()  # elsewhere `arm` is a group
+        known: Any = {"hand": ""} if key else {}  # below the task, `hand` is a group
+        if "gripper" in value:
+            known["arm"] = "urdf"  # elsewhere it is a group
         return {
-            name: absolute(v, directory, inner or ("urdf" if name in files else name))
+            name: absolute(v, directory, inner or known.get(name, name))
             for name, v in value.items()
         }
     if isinstance(value, list):
         return [absolute(item, directory, key) for item in value]
-    if key in FILES and isinstance(value, str) and (directory / value).exists():
-        return str((directory / value).resolve())
-    return value
+    if key not in FILES or not isinstance(value, str):
+        return value
+    path = directory / value
+    is_name = key in ("urdf", "file") and not path.is_file() and _data.robot(value) is not None
+    return value if is_name else str(path)
 
 
 def _resolved(stage: StageSource, index: int, directory: Path) -> Stage:
