@@ -9,7 +9,7 @@ import time
 from typing import TYPE_CHECKING, Any, overload
 
 from . import limits, planning, proving
-from ._arguments import require_number, require_type
+from ._arguments import require_finite, require_number, require_type
 from ._load import as_task
 from .errors import TaskError, shown
 from .kinds import plan_type
@@ -181,14 +181,13 @@ def plan(
         require_number("seconds", seconds)
     if budget is not None:
         require_type("budget", budget, planning.Budget)
+        require_finite(budget)
     with limits.reading(seconds if budget is None else budget.seconds) as clock:
         task = as_task(task)
     if budget is not None:
         if (seconds, iterations, seed) != (None, None, None):
             raise TaskError("budget: seconds, iterations and seed must not be given beside it")
         seconds, iterations, seed = budget.seconds, budget.iterations, budget.seed
-        if not math.isfinite(seconds):  # a plan file has no word for it
-            raise TaskError(f"budget: seconds is {seconds}; should be finite")
     task = task.with_changes(search=search, seconds=seconds, iterations=iterations, seed=seed)
     if prove is None:
         if jobs != 1:

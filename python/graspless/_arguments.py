@@ -53,6 +53,12 @@ def require_above_zero(name: str, value: Any) -> None:
         raise TaskError(f"{name}: {shown(value)}: should be above 0")
 
 
+def require_finite(budget: Any) -> None:
+    """Raises TaskError if a budget has no limit of time: a plan file has no word for that."""
+    if not math.isfinite(budget.seconds):
+        raise TaskError(f"budget: seconds is {budget.seconds}; should be finite")
+
+
 def require_within(name: str, value: Any, least: float, most: float) -> None:
     """Raises TaskError unless the value is a number from `least` to `most`."""
     require_number(name, value)

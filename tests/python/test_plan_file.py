@@ -215,6 +215,16 @@ def test_budget_of_a_script_is_the_one_that_is_used(task, monkeypatch):
         graspless.plan(task, budget=budget, seed=1)
 
 
+def test_budget_without_a_limit_of_time_is_refused(task):
+    budget = graspless.planning.Budget(seconds=float("inf"))
+    for plan in (
+        lambda: slide.plan(task.problem, None, budget),
+        lambda: graspless.plan(task, budget=budget),
+    ):
+        with pytest.raises(TaskError, match="budget: seconds is inf; should be finite"):
+            plan()
+
+
 def test_builtin_robots_are_found_by_name():
     assert graspless.robot.builtin("kr5_t42").is_file()
     with pytest.raises(

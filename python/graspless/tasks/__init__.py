@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from typing_extensions import TypeVar
 
 from .. import planning
-from .._arguments import require_type
+from .._arguments import require_finite, require_type
 from ..errors import TaskError, told
 from ..kinds import part
 from ..limits import limit_reading
@@ -100,7 +100,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         Raises
         ------
         TaskError
-            An argument has another type.
+            An argument has another type, or the budget has no limit of time.
         """
         problem_kind(problem)  # raises unless it is one
         own = sys.modules[type(problem).__module__].Options  # the class beside it
@@ -109,6 +109,7 @@ class Task(Generic[ProblemT, OptionsT, PlanT]):
         require_type("options", options, own)
         if budget is not None:
             require_type("budget", budget, planning.Budget)
+            require_finite(budget)
         return cls(problem, options, planning.Budget() if budget is None else budget, arm=arm)
 
     @property
