@@ -130,3 +130,13 @@ def test_visual_meshes_of_unknown_packages_keep_their_names():
     urdf = small.gripper().replace('<link name="left">', f'<link name="left">{visual}')
     found = inspected(urdf)
     assert '<mesh filename="package://nowhere/a.dae"/>' in found.files()[f"{found.name}.urdf"]
+
+
+@pytest.mark.parametrize("name", ["../panda", "..", "ur/ur5e"])
+def test_a_name_leads_to_no_other_folder(tmp_path, name):
+    found = inspected(small.gripper().replace('name="gripper"', f'name="{name}"', 1))
+    assert found.name == name
+    written = found.write(tmp_path / "out")
+    assert len(written) > 2
+    assert {path.parent for path in written} == {tmp_path / "out"}
+    assert sorted(written) == sorted((tmp_path / "out").iterdir())

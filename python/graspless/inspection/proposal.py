@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -50,7 +51,7 @@ class Proposal:
     Attributes
     ----------
     name : str
-        Name of the files.
+        Name of the files, in which _ replaces what is not a letter, a digit, a dot or a dash.
     robot : Robot
         The robot with the proposed frames, groups and states.
     findings : list of Finding
@@ -120,13 +121,14 @@ class Proposal:
         """Returns the text of each file, by its name."""
         from .files import with_absolute_meshes
 
+        name = re.sub(r"[^\w.-]", "_", self.name).lstrip(".") or "robot"  # a URDF may give any
         texts = {
-            f"{self.name}.urdf": with_absolute_meshes(self.robot, self.urdf),
-            f"{self.name}.srdf": self.srdf,
+            f"{name}.urdf": with_absolute_meshes(self.robot, self.urdf),
+            f"{name}.srdf": self.srdf,
         }
         for end, fields in (("hand", self.hand), ("clasp", self.clasp)):
             if fields:
-                texts[f"{self.name}.{end}.yaml"] = _as_yaml(fields)
+                texts[f"{name}.{end}.yaml"] = _as_yaml(fields)
         return texts
 
     def write(self, folder: str | Path) -> list[Path]:
