@@ -14,8 +14,9 @@ import sys
 import pytest
 
 import graspless
-from graspless import TaskError, robot
+from graspless import TaskError, perception, robot
 from graspless.tasks import meshes, xacro_process
+from pick_common import BAR, seen
 from tasks_common import GOOD, changed, fault, run, write_robot_with_mesh
 
 HEAD = '<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -178,15 +179,20 @@ def test_trusted_xacro_does_what_it_wants(inside):
     assert (inside / "new").exists()
 
 
-@pytest.mark.parametrize("is_chain", [False, True])
-def test_trust_is_asked_for_in_commands_and_calls(inside, tmp_path, capsys, is_chain):
+def write_untrusted(inside):
+    """Writes arm.xacro, which reads a file of another folder."""
     pytest.importorskip("xacro")
     arm = robot.builtin("wam_t42")
     for ending in (".srdf", ".hand.yaml"):
         (inside / f"arm{ending}").write_text(arm.with_name(f"wam_t42{ending}").read_text())
-    (tmp_path / "outside" / "arm.urdf").write_text(arm.read_text())
+    (inside.parent / "outside" / "arm.urdf").write_text(arm.read_text())
     include = '<xacro:include filename="../outside/arm.urdf"/>'
     (inside / "arm.xacro").write_text(f"{HEAD}{include}</robot>")
+
+
+@pytest.mark.parametrize("is_chain", [False, True])
+def test_trust_is_asked_for_in_commands_and_calls(inside, tmp_path, capsys, is_chain):
+    write_untrusted(inside)
     text = changed("urdf: wam_t42", "urdf: arm.xacro")
     if is_chain:
         (inside / "stage.yaml").write_text(text)
@@ -205,6 +211,21 @@ def test_trust_is_asked_for_in_commands_and_calls(inside, tmp_path, capsys, is_c
     assert run(capsys, *batch)[0] == 1
     assert "--trust" in json.loads((output / "batch.jsonl").read_text())["reason"]
     assert run(capsys, *batch, "--trust")[0] == 0
+
+
+def test_trust_is_asked_for_by_a_pick(inside, tmp_path, capsys):
+    write_untrusted(inside)
+    scene = seen(BAR)
+    (thing,) = scene.objects
+    perception.save_scene(scene, tmp_path / "scene.yaml")
+    pick = ("pick", str(tmp_path / "scene.yaml"), thing.name, "-o", str(tmp_path / "plan.json"))
+    pick = (*pick, "--robot", str(inside / "arm.xacro"), "--place", f"on: {thing.support}")
+    code, _, err = run(capsys, *pick)
+    assert (code, err.count(REFUSED)) == (2, 1)
+    assert run(capsys, *pick, "--trust")[0] == 0
+    arm, tumble = str(inside / "arm.xacro"), ["tumble"]
+    found = graspless.pick(scene, thing.name, arm, strategies=tumble, mass=0.1, trust=True)
+    assert "not allowed" not in found.attempts[0].reason
 
 
 @pytest.fixture

@@ -52,6 +52,7 @@ def pick(
     best_of: int = 1,
     seconds: float = 10.0,
     seed: int = 1,
+    trust: bool = False,
 ) -> Pick:
     """Plans how a robot picks up an object of a scene.
 
@@ -97,6 +98,8 @@ def pick(
         Limit of the time [s]. What is left is shared evenly among the strategies that are left.
     seed : int
         Seed of all random numbers. The same seed gives the same plan unless the time ends a search.
+    trust : bool
+        Let xacro files of the robot read any file and run code, see docs/security.md.
 
     Returns
     -------
@@ -126,10 +129,11 @@ def pick(
     _require_found(list(robots.values()))
     wishes = {
         label: wish_of(
-            scene, file, name, one, lift=lift, respect=respect, mass=mass, grip_force=grip_force
+            scene, file, name, one,
+            lift=lift, respect=respect, mass=mass, grip_force=grip_force, trust=trust,
         )
         for label, one in robots.items()
-    }
+    }  # fmt: skip
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
     found = Pick(name, tries)
     first = next(iter(wishes.values()))

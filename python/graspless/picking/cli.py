@@ -8,7 +8,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from .. import _data
-from .._commands import EXIT_CODES, FOUND, NOT_FOUND, add_seconds
+from .._commands import EXIT_CODES, FOUND, NOT_FOUND, add_seconds, add_trust
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -95,6 +95,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="plan.json",
         help="plan file to write if a plan is found (default: %(default)s)",
     )
+    add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
     parser.add_argument(
@@ -111,7 +112,7 @@ def _run(options: argparse.Namespace) -> int:
     files.check_writable(options.output)
     check_pictures(options)
     given = _given(options)
-    found = pick(**given)
+    found = pick(**given, trust=options.trust)
     written: list[str] = []
     if found.plan is not None:
         found.plan.save(options.output)

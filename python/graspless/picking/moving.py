@@ -115,7 +115,7 @@ def _fits_nowhere(strategy: str, block: Block, opening: float) -> str:
 def _trial_task(grasp: str, wish: Wish, seed: int, seconds: float) -> Any:
     """Returns the task of a grasp and lift of the object where it stands."""
     document = chain_of(grasp, wish, seed, seconds, WAYS[grasp][0])
-    task = task_from_dict(document, FILE, resolve=True)
+    task = task_from_dict(document, FILE, resolve=True, trust=wish.trust)
     return task.with_changes(iterations=TRIAL_ITERATIONS)
 
 
@@ -213,7 +213,7 @@ class Moving:
         why, rank = "", 2
         for stability, span in itertools.product(STABILITIES, SPANS):
             document = self._document(move, grasp, there, seed, left(), span, stability)
-            task = task_from_dict(document, FILE, resolve=True)
+            task = task_from_dict(document, FILE, resolve=True, trust=there.trust)
             plan: Plan = plan_since(task, time.monotonic())
             faults = (_scrubbing(plan) or check(plan)) if plan else []
             if plan and not faults:

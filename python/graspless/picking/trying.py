@@ -152,7 +152,8 @@ def _plan(
             continue
         limit = seconds / 2 if way.hangs else seconds
         document = chain_of(strategy, wish, seed, limit, way, opening)
-        task = task_from_dict(document, FILE, resolve=True).with_changes(iterations=way.iterations)
+        task = task_from_dict(document, FILE, resolve=True, trust=wish.trust)
+        task = task.with_changes(iterations=way.iterations)
         faults: list[str] = []
         tried: list[tuple[Plan, str]] = []
         for plan in _grasps(strategy, task, seed, seconds, began, wish if target else None):
@@ -235,7 +236,7 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
         return max(LEAST_SECONDS, left / waiting)
 
     for put, slides in ways:
-        there = _with_stages(plan, document, [put], share())
+        there = _with_stages(plan, document, [put], share(), target.wish.trust)
         waiting -= 1
         if there and not slides:
             return there, ""
@@ -243,7 +244,7 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
             failed.append((1, there, there.reason))
             waiting -= len(slides)
         for slide in slides if there else []:
-            found = _with_stages(there, document, [put, slide], share())
+            found = _with_stages(there, document, [put, slide], share(), target.wish.trust)
             waiting -= 1
             doubted = doubt(found, target.wish) if found else found.reason
             if not doubted:
@@ -253,10 +254,10 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
     return best, f"picked up, but not put down: {why}"
 
 
-def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float) -> Plan:
+def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float, trust: bool) -> Plan:
     """Adds the last of some stages to a plan that has the others."""
     whole = document | {"stages": [*document["stages"], *stages]}
-    task = task_from_dict(whole, FILE, resolve=True)
+    task = task_from_dict(whole, FILE, resolve=True, trust=trust)
     limit = {"iterations": SLIDE_ITERATIONS} if stages[-1]["kind"] == "slide" else {}
     budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed, **limit)
     return chain.continued(plan, task, budget)

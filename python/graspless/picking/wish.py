@@ -65,6 +65,8 @@ class Wish:
         Force of each finger that pinches, if not that of the hand's effort limits [N].
     beside, around : list of dict
         Obstacles of a task that has the support, and of one that needs it as an obstacle.
+    trust : bool
+        Let xacro files of the robot read any file and run code.
     """
 
     thing: Object
@@ -77,6 +79,7 @@ class Wish:
     grip_force: float | None
     beside: list[dict[str, Any]]
     around: list[dict[str, Any]]
+    trust: bool = False
 
     @property
     def name(self) -> str:
@@ -91,7 +94,7 @@ class Wish:
     @cached_property
     def model(self) -> robots.Robot:
         """The robot itself."""
-        return robot_of(self.robot, FILE)
+        return robot_of(self.robot, FILE, trust=self.trust)
 
     @cached_property
     def com(self) -> list[float]:
@@ -111,9 +114,9 @@ class Wish:
         return [i for i, label in enumerate(self.support.edges) if str(label) == "real"]
 
 
-def robot_of(given: dict[str, Any], file: str) -> robots.Robot:
+def robot_of(given: dict[str, Any], file: str, *, trust: bool = False) -> robots.Robot:
     """Returns the robot of a field `robot`. `file` is named in errors."""
-    source = Source(file, {"robot": given})
+    source = Source(file, {"robot": given}, is_trusted=trust)
     fields = source.validate(RobotOnly).robot
     return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
@@ -128,6 +131,7 @@ def wish_of(
     respect: str,
     mass: float | None,
     grip_force: float | None = None,
+    trust: bool = False,
 ) -> Wish:
     """Returns what is asked for. Raises TaskError if there is no such object. `file` is named."""
     if not 0 < lift < 10:
@@ -153,6 +157,7 @@ def wish_of(
         grip_force=grip_force,
         beside=documents(scenes.obstacles(scene, thing, respect, has_support=False)),
         around=documents(scenes.obstacles(scene, thing, respect, has_support=True)),
+        trust=trust,
     )
 
 

@@ -253,7 +253,9 @@ def read_task(text: str, file: str, directory: str | Path = ".", *, trust: bool 
         return build_task(fields, source, other)
 
 
-def task_from_dict(document: Any, file: str, resolve: bool = False, *, fields: Any = None) -> Task:
+def task_from_dict(
+    document: Any, file: str, resolve: bool = False, *, trust: bool = False, fields: Any = None
+) -> Task:
     """Returns the task of a document in plain types.
 
     Parameters
@@ -264,13 +266,16 @@ def task_from_dict(document: Any, file: str, resolve: bool = False, *, fields: A
         For errors.
     resolve : bool
         Read the files that it names, relative to the working folder.
+    trust : bool
+        As in `read_task`.
     fields : SlideTask, FingertipTask, ...
         Those of the document, if it has been validated.
     """
     from .documents import in_plain_types
 
     with told(file):
-        source = Source(file, in_plain_types(document) if resolve else document)
+        plain = in_plain_types(document) if resolve else document
+        source = Source(file, plain, is_trusted=trust)
         kind = task_kind(source)
         fields = source.validate(kind.Fields) if fields is None else fields
         if resolve and not fields.files:
