@@ -4,6 +4,7 @@
 
 import dataclasses
 import json
+import pathlib
 import time
 import warnings
 from types import SimpleNamespace
@@ -519,6 +520,22 @@ def test_the_command(scene, names, tmp_path, capsys, monkeypatch):
     assert [attempt["status"] for attempt in result["attempts"]] == ["too_wide", "refused"]
     assert main(["pick", "scene.yaml", "spoon", *ROBOT]) == 2
     assert "the scene has no 'spoon' (one of: " in capsys.readouterr().err
+
+
+def test_packages_of_the_robots(scene, names, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(scene, "scene.yaml")
+    arm, data = robot.builtin("wam_t42"), pathlib.Path(__file__).parents[1] / "data"
+    for path in arm.parent.glob("wam_t42.*"):
+        (tmp_path / path.name.replace("wam_t42", "mine")).write_text(path.read_text())
+    mesh = '<mesh filename="package://far/tetrahedron.obj" scale="0.01 0.01 0.01"/>'
+    link = '<link name="base_link">'
+    more = f"{link}<collision><geometry>{mesh}</geometry></collision>"
+    (tmp_path / "mine.urdf").write_text(arm.read_text().replace(link, more))
+    asked = ["pick", "scene.yaml", names["bar"], "--robot", "mine.urdf", "--strategies", "pinch"]
+    assert main(asked) == 2
+    assert "package 'far'" in capsys.readouterr().err
+    assert main([*asked, "--package", f"far={data}"]) == 0
 
 
 def test_a_task_file_of_kind_pick(scene, names, tmp_path, capsys, monkeypatch):

@@ -8,7 +8,15 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from .. import _data
-from .._commands import EXIT_CODES, FOUND, NOT_FOUND, add_seconds, add_trust
+from .._commands import (
+    EXIT_CODES,
+    FOUND,
+    NOT_FOUND,
+    add_packages,
+    add_seconds,
+    add_trust,
+    given_packages,
+)
 from ..errors import TaskError
 
 if TYPE_CHECKING:
@@ -95,6 +103,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="plan.json",
         help="plan file to write if a plan is found (default: %(default)s)",
     )
+    add_packages(parser)
     add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
@@ -147,7 +156,17 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
     if "robot" not in given:
         known = ", ".join(_data.robots())
         raise TaskError(f"--robot: missing: should be the path of a URDF, or one of {known}")
+    if packages := given_packages(options):
+        given["robot"] = _with_packages(given["robot"], packages)
     return given
+
+
+def _with_packages(robot: Any, packages: dict[str, str]) -> Any:
+    """Returns one or several robots whose meshes may be in these folders, too."""
+    if isinstance(robot, list):
+        return [_with_packages(one, packages) for one in robot]
+    fields: dict[str, Any] = {"urdf": robot} if isinstance(robot, str) else robot
+    return fields | {"packages": fields.get("packages", {}) | packages}
 
 
 def _way(found: Pick) -> str:
