@@ -164,7 +164,7 @@ TEST_F(ReadMesh, ReadsBinaryStlWhoseHeaderSaysSolid) {
 TEST_F(ReadMesh, ReadsObjOffPly) {
   expect_tetrahedron(read_mesh(write("t.obj",
                                      "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
-                                     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")));
+                                     "f 1 3 2\nf 1\t2 4\nf\t1\t4\t3\nf 2 3\t4\n")));
   expect_tetrahedron(read_mesh(write("t.off",
                                      "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
                                      "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")));
