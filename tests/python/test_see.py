@@ -12,6 +12,7 @@ from graspless import perception, slide
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.perception import cli
+from graspless.tasks import scenes
 from graspless.view import perceived
 from pick_common import body
 
@@ -61,7 +62,8 @@ def test_a_slide_from_a_scene_ends_over_a_real_edge(folder):
     assert thing.name == "object_0"
     assert thing.thickness == pytest.approx(0.006, abs=0.001)
     assert 0 < len(support.usable_edges) < len(support.polygon.vertices)
-    assert [body.name for body in task.problem.obstacles] == ["scene object_1", "scene object_2"]
+    obstacles = [body.name for body in task.problem.obstacles]
+    assert obstacles == ["scene object_1", "scene object_2", "scene support_0"]
     plan = graspless.plan(task, seed=1)
     assert plan, plan.reason
     assert graspless.check(plan) == []
@@ -81,9 +83,32 @@ def test_obstacles_of_a_scene_are_chosen(folder):
         return [body.name for body in load(folder, text).problem.obstacles]
 
     assert names("nothing") == []
-    assert names("objects") == ["scene object_1", "scene object_2"]
+    seen = ["scene object_1", "scene object_2", "scene support_0"]  # the last one is the floor
+    assert names("objects") == seen
     unseen = names("unseen")
-    assert unseen[:3] == ["scene object_1", "scene object_2", "unseen 0"]
+    assert unseen[:4] == [*seen, "unseen 0"]
+
+
+@pytest.mark.parametrize(
+    ("above", "top"),
+    [(0.1, 0.1), (0.015, 0.015), (0.002, -0.001), (-0.002, -0.003), (-0.04, -0.04), (-0.7, -0.7)],
+)
+def test_all_supports_of_a_scene_are_obstacles(above, top):
+    scene = scene_of([[[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]])
+    X_WS = np.eye(4)
+    X_WS[2, 3] = above
+    other = perception.Support(
+        name="support_1", polygon=scene.supports[0].polygon, X_WS=X_WS,
+        edges=[perception.EdgeLabel.real] * 4,
+    )  # fmt: skip
+    scene = perception.Scene(
+        status=scene.status, reason="", supports=[*scene.supports, other], unseen=[], warnings=[],
+        objects=list(scene.objects),
+    )  # fmt: skip
+    (found,) = scenes.obstacles(scene, scene.objects[0], "objects", has_support=False)
+    assert found.name == "scene support_1"
+    heights = [above + corner[2] for part in found.parts for corner in part.convex]
+    assert max(heights) == pytest.approx(top)
 
 
 def test_a_clasp_from_a_scene_has_cloud_pose_and_table(folder):

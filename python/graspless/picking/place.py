@@ -239,8 +239,9 @@ def put_down(target: Target, poses: list[Matrix], grasp: str) -> dict[str, Any]:
     on = target.obstacle
     if target.is_same and grasp != "clasp":
         on = "support"
-    elif all(obstacle["name"] != on for obstacle in obstacles):
-        obstacles = [*obstacles, *documents([scenes.slab(target.support)])]
+    elif not target.is_same or all(obstacle["name"] != on for obstacle in obstacles):
+        others = [obstacle for obstacle in obstacles if obstacle["name"] != on]
+        obstacles = [*others, *documents([scenes.slab(target.support)])]
     return {
         "name": "place",
         "kind": "carry",

@@ -23,13 +23,14 @@ if TYPE_CHECKING:
 Respect = Literal["nothing", "objects", "unseen"]
 RESPECTS: tuple[Respect, ...] = get_args(Respect)
 RESPECT = (
-    "obstacles of the scene: nothing; objects: the other objects and higher supports; unseen: also "
+    "obstacles of the scene: nothing; objects: the other objects and supports; unseen: also "
     "the space that no ray reached, except behind the object itself"
 )
 _OF_SCENE = "scene "  # begins the names of obstacles from scenes
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
-SUNK = 0.001  # depth of the top of the object's own support as an obstacle [m]
+SAME = 0.005  # difference in height of supports that may be one, which a shadow divides [m]
+SUNK = 0.001  # depth of the tops of such supports, as obstacles, below what the object is on [m]
 
 
 def load(path: str, source: Source, place: Location, directory: Path) -> Scene:
@@ -87,14 +88,10 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
     ]  # fmt: skip
     own = next(support for support in scene.supports if support.name == thing.support)
     for support in scene.supports:
-        is_own = support.name == own.name
-        if is_own and has_support:
-            top = -SUNK
-        elif not is_own and support.X_WS[2, 3] > own.X_WS[2, 3] + SLAB:
-            top = 0.0
-        else:
+        if support.name == own.name and not has_support:
             continue
-        found.append(slab(support, top))
+        above = float(support.X_WS[2, 3] - own.X_WS[2, 3])
+        found.append(slab(support, 0.0 if abs(above) > SAME else -SUNK - max(above, 0.0)))
     if respect == "unseen":
         spaces = [space for space in scene.unseen if space.behind != thing.name]
         found += [
