@@ -435,6 +435,25 @@ def test_mistakes_are_named(scene, names, given, words):
         graspless.pick(scene, **asked)
 
 
+def test_what_the_image_cuts_off_is_warned_of_and_not_pinched(tmp_path, capsys, monkeypatch):
+    table, floor = (body([0.7, 1.4, 0.04], 0.65, 0.3, -0.02), body([6, 6, 0.02], 0.65, 0, -0.75))
+    beam = body([0.08, 0.3, 0.06], 0.55, 0.54, 0.03)  # 4 cm of its length are in the image
+    eye = perception.look_at([0.6, 0, 0.8], [0.601, 0, 0])
+    frame = perception.render([table, floor, beam], eye)
+    looked = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    name = looked.objects[0].name
+    with pytest.warns(UserWarning, match=f"scene: {name}: the image cuts it off: a finger"):
+        found = graspless.pick(looked, name, ["wam_t42", "kr5_t42"], strategies=["pinch", "tumble"])
+    assert not found
+    assert {attempt.status for attempt in found.attempts} == {"refused"}
+    assert all("the image cuts it off" in attempt.reason for attempt in found.attempts)
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(looked, "scene.yaml")
+    asked = ["pick", "scene.yaml", name, "--robot", "wam_t42", "--strategies", "pinch"]
+    assert main(asked) == 1
+    assert capsys.readouterr().err.count(f"scene.yaml: {name}: the image cuts it off") == 1
+
+
 def test_a_scene_of_nothing_is_refused(scene):
     empty = perception.Scene(
         status=scene.status, reason="one table", supports=list(scene.supports), objects=[],

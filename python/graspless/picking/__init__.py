@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import planning
 from .._arguments import require_above_zero, require_integer, require_number
-from ..errors import TaskError
+from ..errors import TaskError, warn
 from ..report import least_seconds
 from ..tasks.documents import in_plain_types
 from ..tasks.robot_files import find_urdf
@@ -21,7 +21,7 @@ from ..tasks.source import Source
 from . import place as places
 from .moving import MOVING
 from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
-from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
+from .strategies import LEAST_SECONDS, STRATEGIES, cut_off, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
 
@@ -137,6 +137,8 @@ def pick(
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
     found = Pick(name, tries)
     first = next(iter(wishes.values()))
+    if cut := cut_off(first):
+        warn(f"{file}: {name}: {cut}")
     target = None if place is None else places.target_of(first, place)
     old = "" if max_age is None else stale(scene, max_age)
     nowhere = "" if target is None or old else places.refusal(target)

@@ -19,7 +19,16 @@ from .block import Block, block_of, level, wish_at
 from .fingertips import Fingertips, fingertips_of
 from .moves import MOVES, Move, misplaced
 from .result import FILE
-from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, covered, explained, refusal
+from .strategies import (
+    LEAST_SECONDS,
+    THIN,
+    WAYS,
+    chain_of,
+    covered,
+    cut_off,
+    explained,
+    refusal,
+)
 
 if TYPE_CHECKING:
     from ..chain import Plan
@@ -67,7 +76,7 @@ def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
 
     `opening` is that of the hand, as far as another strategy knows it [m].
     """
-    if reason := covered(wish):
+    if reason := covered(wish) or cut_off(wish):
         return reason
     flat = level(wish)
     if isinstance(flat, str):

@@ -218,6 +218,13 @@ def _overlap(a: geometry.Polygon, b: geometry.Polygon) -> bool:
     return False
 
 
+def cut_off(wish: Wish) -> str:
+    """Says that the sides of the outline are not all sides of the object."""
+    if wish.thing.touches_border:
+        return "the image cuts it off: a finger could be inside the rest of it; move the camera"
+    return ""
+
+
 def _refuse_nothing(wish: Wish) -> str:
     return ""
 
@@ -291,7 +298,7 @@ _FIELDS: dict[str, Callable[[Wish], dict[str, Any]]] = {
     "clasp": _clasp,
 }
 _REFUSALS: dict[str, Callable[[Wish], str]] = {
-    "pinch": _refuse_nothing,
+    "pinch": cut_off,
     "rim": _refuse_nothing,
     "slide": _refuse_slide,
     "clasp": _refuse_clasp,
