@@ -172,3 +172,20 @@ def test_a_pitch_without_room_says_so():
     assert pitch.reason.startswith(
         "at no pitch of the finger is the rest of the hand 10.0 mm above"
     )
+
+
+def test_states_of_another_hand_are_not_used():
+    sides = ("left_", "right_")
+    urdf = small.robot(
+        "two", small.base(),
+        *(small.arm(side) + small.prismatic(side, f"{side}wrist") for side in sides),
+    )  # fmt: skip
+    first = robot.inspect(read(urdf), palm="left_palm")
+    for _ in range(2):  # the states of the second hand are found again
+        second = robot.inspect(read(first.urdf, srdf=first.srdf), palm="right_palm")
+        assert (second.hand["open"], second.hand["closed"]) == ("open_2", "closed_2")
+        made, q = second.robot, np.full(second.robot.dof, 0.01)
+        for field in ("open", "closed"):
+            moved = np.flatnonzero(made.state(second.hand[field], q) != q)
+            assert [made.joint_names[i] for i in moved] == ["right_slide_left"]
+        first = second

@@ -67,8 +67,7 @@ class _Builder:
         self.open = self.closed = np.zeros(0)
         self.gaps = (0.0, 0.0)
         self.groups = {"arm": self._group("arm", self.arm.joints)}
-        faulty = self.tree.states.keys() - set(self.robot.state_names)
-        self.states = {state: free_name(state, faulty) for state in ("open", "closed")}
+        self.states: dict[str, str] = {}
 
     def _group(self, wanted: str, joints: tuple[str, ...]) -> str:
         """Returns the SRDF's group of that name if it has these joints, else a new name."""
@@ -77,6 +76,17 @@ class _Builder:
         if wanted in robot.group_names and sorted(robot.group(wanted)) == columns:
             return wanted
         return free_name(wanted, group_names(robot.srdf))
+
+    def _state_names(self) -> dict[str, str]:
+        """Names of the hand's states; faulty ones and those that move another hand are taken."""
+        tree = self.tree
+        below = {
+            joint.name for link in tree.links_below(self.palm.body) if (joint := tree.joint(link))
+        }
+        own = below.union(self.drivers, self.arm.joints)
+        faulty = tree.states.keys() - set(self.robot.state_names)
+        taken = faulty.union(name for name, joints in tree.states.items() if joints - own)
+        return {state: free_name(state, taken) for state in ("open", "closed")}
 
     def palm_link(self) -> str:
         return self.tree.links[self.palm.link(self.tree)]
@@ -88,6 +98,7 @@ class _Builder:
         else:
             self._propose_fist()
         self.groups["hand"] = self._group("hand", self.drivers)
+        self.states = self._state_names()
         found = ((self.groups["arm"], self.arm.joints), (self.groups["hand"], self.drivers))
         groups = {group: joints for group, joints in found if joints}
         if self.hand:
