@@ -189,3 +189,15 @@ def test_states_of_another_hand_are_not_used():
             moved = np.flatnonzero(made.state(second.hand[field], q) != q)
             assert [made.joint_names[i] for i in moved] == ["right_slide_left"]
         first = second
+
+
+def test_frames_and_rods_beside_an_arm_do_not_cut_it():
+    rod = small.box("rod", "0.05 0 0.1", "0.01 0.01 0.2")
+    rod += small.joint("rod_joint", "revolute", "link_1", "rod", axis="0 1 0", mimic="joint_2")
+    rod += small.link("marker") + small.joint("marker_joint", "revolute", "link_2", "marker")
+    found = robot.inspect(
+        read(small.robot("mine", small.base(), small.arm(), small.prismatic(), rod))
+    )
+    assert [found.robot.joint_names[i] for i in found.robot.group("arm")] == [
+        f"joint_{i}" for i in range(6)
+    ]

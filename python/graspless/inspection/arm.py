@@ -50,7 +50,12 @@ class Arm:
 def find_arm(tree: Tree, palm: int) -> Arm:
     """Returns the arm that carries a palm; it has no joints if the palm is the root."""
     path = tree.path(palm)
-    forks = [k for k, body in enumerate(path[:-1]) if len(tree.children[body]) > 1]
+    own = set(tree.drivers(path[1:]))
+    forks = [
+        k
+        for k, body in enumerate(path[:-1])
+        if any(_is_part(tree, child, own) for child in tree.children[body] if child != path[k + 1])
+    ]
     first = forks[-1] if forks else 0
     base = path[first]
     joints = tuple(tree.drivers(path[first + 1 :]))
@@ -62,6 +67,11 @@ def find_arm(tree: Tree, palm: int) -> Arm:
     if len(joints) > MANY:
         reason += "; some may belong to a floating base; make these fixed"
     return Arm(base, joints, reason, first == 0 and len(joints) <= MANY)
+
+
+def _is_part(tree: Tree, body: int, own: set[str]) -> bool:
+    """Returns True unless a body is a mere frame, or follows the arm's `own` joints."""
+    return tree.has_shape(body) and not own.issuperset(tree.drivers(tree.below(body)))
 
 
 @dataclass(frozen=True)
