@@ -422,7 +422,9 @@ def test_same_plan_same_times():
     np.testing.assert_array_equal(again.positions, timed("slide").positions)
 
 
-SLIDER = """<robot name="slider"><link name="a"/><link name="b"/><link name="c"/>
+SLIDER = """<robot name="slider"><link name="a"/><link name="b"/><link name="c"/><link name="wheel"/>
+<joint name="rolls" type="continuous"><parent link="b"/><child link="wheel"/><axis xyz="0 1 0"/>
+<mimic joint="rail" multiplier="20"/></joint>
 <joint name="rail" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="1 0 0"/>
 <limit lower="0" upper="1" effort="1" velocity="0"/></joint>
 <joint name="turn" type="revolute"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>

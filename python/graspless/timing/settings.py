@@ -16,8 +16,6 @@ from .._xml import parse
 from ..errors import TaskError, shown
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
     from .._core.robot import Robot
     from ..frames import Matrix
     from .rates import Rate
@@ -102,7 +100,7 @@ def joint_limits(
                 raise TaskError(f"{name}: {shown(given)}: {what}")
         return np.zeros(0), np.zeros(0), np.zeros(0)
     _require_velocities(robot, max_velocity)
-    slides = _slides(robot)
+    slides = np.asarray(robot.step_weights) > 1  # of prismatic joints, also if others follow them
     velocity = np.asarray(robot.max_velocity, dtype=float).copy()
     unknown = ~(np.isfinite(velocity) & (velocity > 0))
     velocity[unknown] = np.where(slides, VELOCITY[1], VELOCITY[0])[unknown]
@@ -160,11 +158,3 @@ def _require_velocities(robot: Robot, given: PerJoint | None) -> None:
         if not float(text) > 0:
             what = "should be positive in the URDF, or be given as max_velocity of this joint"
             raise TaskError(f"robot: {name}: velocity limit {text}: {what}")
-
-
-def _slides(robot: Robot) -> NDArray[np.bool_]:
-    """Returns a mask [dof] of the joints that turn nothing."""
-    q = np.zeros(robot.dof)
-    turns = [np.abs(robot.jacobian(frame, q)[3:]).max(axis=0) for frame in robot.frame_names]
-    slides: NDArray[np.bool_] = np.max(turns, axis=0) < 1e-9
-    return slides
