@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 
 import graspless
-from graspless import perception
+from graspless import frames, perception
 from graspless.cli import main
 from graspless.errors import TaskError
+from graspless.picking.place import Target
+from graspless.picking.place_fields import place_of
 from graspless.plan_files import plan_of
 from graspless.plan_files.text import document_of
 from pick_common import BAR, BLOCK, CARD, seen
@@ -149,6 +151,19 @@ def test_another_support_of_the_scene(shelf):
     assert found.plan.stages[-1].task.problem.places.on == "scene shelf"
     trial = graspless.simulate(found.plan).trials[0]
     assert trial.failures == ()
+
+
+def test_a_region_of_a_support_that_leans_is_straight_above_what_was_asked_for():
+    X_WS = frames.from_rpy([0.2, -0.3, 0.5])
+    X_WS[:3, 3] = 0.6, -0.1, 0.4
+    square = np.array([[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]])
+    leaning = perception.Support(
+        name="ramp", polygon=square, edges=4 * [perception.EdgeLabel.real], X_WS=X_WS
+    )
+    corners = [[0.7, 0.0], [0.9, 0.0], [0.9, 0.2], [0.7, 0.2]]
+    target = Target(None, place_of({"region": {"polygon": corners}}), leaning)
+    there = frames.transform(X_WS, np.column_stack([target.region.vertices, np.zeros(4)]))
+    assert there[:, :2] == pytest.approx(np.array(corners), abs=1e-12)
 
 
 def test_a_region(scene, names):

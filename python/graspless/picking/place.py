@@ -98,9 +98,11 @@ class Target:
         return f"scene {self.support.name}"
 
     def _in_S(self, points: Matrix) -> Matrix:
-        flat = np.column_stack([points, np.full(len(points), self.support.X_WS[2, 3])])
-        X_SW = np.linalg.inv(self.support.X_WS)
-        found: Matrix = (flat @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2]
+        """Points of the support [M, 2] in S, straight above or below points of W [M, 2]."""
+        X_WS = np.asarray(self.support.X_WS)
+        off = points - X_WS[:2, 3]
+        z = -(off @ X_WS[:2, 2]) / X_WS[2, 2]
+        found: Matrix = np.column_stack([off, z]) @ X_WS[:3, :2]
         return found
 
     def asked(self) -> list[Matrix]:
