@@ -14,6 +14,8 @@ from graspless.errors import TaskError
 from graspless.perception import cli
 from graspless.tasks import scenes
 from graspless.view import perceived
+from graspless.view.slide import stage
+from graspless.view.slide.film import film
 from pick_common import body
 
 # The far edge, at x = 1 m, stands against a wall: nothing can be slid over it.
@@ -71,6 +73,9 @@ def test_a_slide_from_a_scene_ends_over_a_real_edge(folder):
     edge = support.polygon.nearest_edge(p_SO)
     assert edge.index in support.usable_edges
     assert plan.X_WO_goal[0, 3] < 0.97  # not over the edge at the wall
+    shown = film(plan)
+    seen = stage.camera(shown, 400, 300).project(shown.link_poses[0, :, :3, 3], 400, 300)
+    assert np.ptp(seen[:, 0]) > 100  # the robot, not the floor, fills the picture
     plan.save(folder / "plan.json")
     again = graspless.load_plan(folder / "plan.json")
     assert graspless.check(again) == []

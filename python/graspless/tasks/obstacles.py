@@ -30,6 +30,7 @@ def _with_own_names(obstacles: list[Obstacle]) -> list[Obstacle]:
     return obstacles
 
 
+OF_SCENE = "scene "  # begins the names of obstacles from scenes
 SMALLEST, LARGEST = 1e-3, 20.0  # longest side of a mesh that nobody doubts [m]
 
 Obstacles = Annotated[list[Obstacle], AfterValidator(_with_own_names)]

@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import geometry
 from ..errors import TaskError
+from .obstacles import OF_SCENE
 from .shapes import Obstacle, Pose, Shape
 from .statement import pose_fields
 
@@ -26,7 +27,6 @@ RESPECT = (
     "obstacles of the scene: nothing; objects: the other objects and supports; unseen: also "
     "the space that no ray reached, except behind the object itself"
 )
-_OF_SCENE = "scene "  # begins the names of obstacles from scenes
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
 SAME = 0.005  # difference in height of supports that may be one, which a shadow divides [m]
@@ -80,7 +80,7 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
     if respect == "nothing":
         return []
     found = [
-        Obstacle(name=f"{_OF_SCENE}{other.name}",
+        Obstacle(name=f"{OF_SCENE}{other.name}",
                  parts=_prisms(outline_of(other), 0.0, other.thickness),
                  pose=_pose(other.X_WO))
         for other in scene.objects
@@ -104,12 +104,12 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
 def slab(support: Support, top: float = 0.0) -> Obstacle:
     """Returns a support as an obstacle; `top` is the height of its upper face in S [m]."""
     parts = _prisms(support.polygon, top - SLAB, top)
-    return Obstacle(name=f"{_OF_SCENE}{support.name}", parts=parts, pose=_pose(support.X_WS))
+    return Obstacle(name=f"{OF_SCENE}{support.name}", parts=parts, pose=_pose(support.X_WS))
 
 
 def is_of_scene(name: str) -> bool:
     """Returns True if an obstacle is called as those from a scene are."""
-    return name.startswith(_OF_SCENE)
+    return name.startswith(OF_SCENE)
 
 
 def outline_of(other: Object) -> Matrix:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, vertices_of
+from ..bodies import obstacles, vertices_of, without_floors
 from ..raster import Camera
 from . import bodies
 from .film import linking
@@ -73,7 +73,7 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     shape : tuple of int
         Width and height of the picture.
     """
-    points = np.concatenate([vertices_of(scene.solid(row)) for row in rows])
+    points = np.concatenate([vertices_of(without_floors(scene.solid(row))) for row in rows])
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     toward = direction(scene.plan, scene.shown)
     eye = middle + 3.5 * float(np.ptp(points, axis=0).max()) * toward

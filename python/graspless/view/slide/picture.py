@@ -112,10 +112,14 @@ def _draw_slide(axes: Any, shown: Film) -> None:
         _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
     rings: dict[str, Matrix] = {}  # the largest of each obstacle
     for body, X_WB in obstacles(task):
-        of_parts = [hull(frames.transform(X_SW @ X_WB, p.vertices)[:, :2]) for p in body.parts]
+        points_S = [frames.transform(X_SW @ X_WB, part.vertices) for part in body.parts]
+        of_parts = [hull(points[:, :2]) for points in points_S]
+        is_below = max(points[:, 2].max() for points in points_S) < 0
         for ring in of_parts:
-            _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=3)
-        rings[body.name] = max(of_parts, key=_area)
+            order = 0 if is_below else 3
+            _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=order)
+        if not is_below:
+            rings[body.name] = max(of_parts, key=_area)
     outline = np.asarray(thing.outline.vertices)
     poses = [X_SW @ X_WO for X_WO in _along(shown)]
     for k, X_SO in enumerate(poses):

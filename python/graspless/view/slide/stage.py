@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, vertices_of
+from ..bodies import obstacles, vertices_of, without_floors
 from ..raster import Camera
 from . import bodies
 
@@ -84,7 +84,7 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     direction[2] = 0.62
     eye = middle + 2.7 * direction
     seen = [row for row, _ in moments(shown)] if rows is None else rows
-    points = vertices_of(body for row in seen for body in placed(shown, row))
+    points = vertices_of(body for row in seen for body in without_floors(placed(shown, row)))
     return Camera(eye, middle).fitted(points, width, height)
 
 
