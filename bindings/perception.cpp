@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "graspless/perception/render.hpp"
 #include "graspless/perception/scene.hpp"
 
@@ -161,6 +163,11 @@ void bind_support(py::module_& m) {
                throw std::invalid_argument("edges has " + std::to_string(support.edges.size()) +
                                            " labels; it must have one per edge of the polygon, " +
                                            std::to_string(support.polygon.size()));
+             }
+             // A clockwise ring has been reversed, and so are its edges: the last one stays last.
+             const Eigen::Vector2d first(polygon.at(0, 0), polygon.at(0, 1));
+             if (support.polygon.vertices().col(0) != first) {
+               std::reverse(support.edges.begin(), support.edges.end() - 1);
              }
              return support;
            }),

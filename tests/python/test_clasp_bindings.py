@@ -147,6 +147,15 @@ def test_plan_can_be_rebuilt(plan):
     assert (stats["cycles"], stats["refusals"]) == (7, {"collision": 2})
 
 
+def test_an_optional_part_outlives_its_plan():
+    plan = clasp.Plan()
+    plan.status = clasp.Status.solved
+    plan.certificate = clasp.Certificate(between=("palm of the hand", "tip of a long finger"))
+    part = plan.certificate
+    plan.certificate = None
+    assert list(part.between) == ["palm of the hand", "tip of a long finger"]
+
+
 def test_clasp_is_secure_and_the_open_hand_is_not(plan):
     robot, hand, _ = arm_and_hand()
     q = plan.segments[-1].positions[-1]

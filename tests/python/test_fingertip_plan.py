@@ -236,6 +236,13 @@ def lattice(lower, upper, yaws, turn=0.0):
     )
 
 
+def test_the_motion_of_a_problem_is_a_copy():
+    problem = lattice(-0.5, 0.5, 5)
+    motion = problem.motion
+    motion.counts = (1, 1, 1)
+    assert problem.motion.counts == (5, 1, 5)
+
+
 def test_yaws_of_a_lattice_may_go_round_more_than_once():
     options = fingertip.Options(locations_per_side=3, max_regrasps=0)
     problem = lattice(-0.5, 7.0, 16)  # 6.5 rad is near a whole turn, but not on it

@@ -277,3 +277,14 @@ def test_millimetres_are_a_status():
     scene = graspless.perceive((1000 * FRAME.depth).astype(np.uint16), FRAME.K, X_WC)
     assert str(scene.status) == "not_metres"
     assert "divide" in scene.reason
+
+
+def test_labels_of_a_clockwise_polygon_stay_at_their_edges():
+    real, cut = perception.EdgeLabel.real, perception.EdgeLabel.image_border
+    square = np.array([[0, 0], [0, 1], [1, 1], [1, 0]])
+    support = perception.Support(
+        name="table", polygon=square, edges=[real, cut, cut, cut], X_WS=np.eye(4)
+    )
+    ends = zip(support.polygon, np.roll(support.polygon, -1, axis=0), strict=True)
+    on_left = [a[0] == b[0] == 0 for a, b in ends]
+    assert on_left == [label == real for label in support.edges]

@@ -479,7 +479,7 @@ class Stability:
     @property
     def withstands(self) -> float:
         """
-        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested or the loop escaped.
+        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested or the loop escaped. Nothing is said of loads that move the object by more than 12 mm before it meets a finger.
         """
     @withstands.setter
     def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -1000,7 +1000,7 @@ class Plan:
         Certificate of the last row, or None if no time was left; a copy.
         """
     @certificate.setter
-    def certificate(self, arg0: Certificate | None) -> None:
+    def certificate(self, arg1: Certificate | None) -> None:
         ...
     @property
     def fingers(self) -> tuple[str, ...]:
@@ -1040,7 +1040,7 @@ class Plan:
         Result of the test of a pinch at the last row, if only friction holds; or None.
         """
     @pinch.setter
-    def pinch(self, arg0: Pinch | None) -> None:
+    def pinch(self, arg1: Pinch | None) -> None:
         ...
     @property
     def pre_shape(self) -> str:

@@ -92,7 +92,7 @@ class Options:
         Unit: N. Range: (0, 1000].
         """
     @grip_force.setter
-    def grip_force(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def grip_force(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def height(self) -> float | None:
@@ -102,7 +102,7 @@ class Options:
         Unit: m. Range: [0, 10].
         """
     @height.setter
-    def height(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def height(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def margin(self) -> float:
@@ -142,7 +142,7 @@ class Options:
         Unit: m. Range: (0, 1].
         """
     @opening.setter
-    def opening(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def opening(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def patch(self) -> float:
@@ -329,7 +329,7 @@ class Plan:
         Largest mass that the pads hold [kg]; None if nobody knows the force of the hand.
         """
     @max_mass.setter
-    def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def max_mass(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def opening(self) -> float:

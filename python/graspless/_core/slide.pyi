@@ -529,7 +529,7 @@ class Options:
         Unit: m. Range: [0, 0.1). Paper: Delta_Z^+.
         """
     @max_depth.setter
-    def max_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def max_depth(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def max_memory(self) -> float:
@@ -549,7 +549,7 @@ class Options:
         Unit: m. Range: [0, 0.1). Paper: Delta_Z^-.
         """
     @min_depth.setter
-    def min_depth(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def min_depth(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def min_overhang(self) -> float:
@@ -933,7 +933,7 @@ class Plan:
         Largest mass that the fingers bear when they lift the object [kg]. None for a problem with an end, and if a joint that must bear it has no effort limit, or one that is a placeholder: a finger would press with more than 500 N.
         """
     @max_mass.setter
-    def max_mass(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
+    def max_mass(self, arg1: typing.SupportsFloat | typing.SupportsIndex | None) -> None:
         ...
     @property
     def overhang(self) -> float:
@@ -957,7 +957,7 @@ class Plan:
         Interruption from which the plan goes on; None if it begins at the problem's q_home.
         """
     @resumed.setter
-    def resumed(self, arg0: Interruption | None) -> None:
+    def resumed(self, arg1: Interruption | None) -> None:
         ...
     @property
     def segments(self) -> tuple[Segment, ...]:
