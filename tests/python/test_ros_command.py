@@ -16,7 +16,7 @@ import yaml
 
 from graspless import robot
 from graspless.ros.jobs import Found
-from graspless.ros.measured import home_of, joints_of, with_mimics
+from graspless.ros.measured import home_of, joints_of
 
 ROS = pathlib.Path(__file__).parents[2] / "ros"
 
@@ -93,7 +93,7 @@ def test_mimics_of_mimics_follow_the_independent_joint():
     rows = np.array([[0.0], [1.0]])
     found = Found(joint_names=["a"], joints=joints_of(hand), positions=rows)
     found.velocities = found.accelerations = rows
-    found = with_mimics(found, ["c", "a", "unknown"])
+    found = found.with_mimics(["c", "a", "unknown"])
     assert found.joint_names == ["a", "c"]
     np.testing.assert_allclose(found.positions, [[0, 0.8], [1, -5.2]])
     np.testing.assert_allclose(found.velocities, [[0, 0], [1, -6]])

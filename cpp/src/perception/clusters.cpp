@@ -96,7 +96,7 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
   }
 }
 
-/// Distance on the support between neighbouring rays, in rows or columns, under most objects [m].
+/// Distance between neighbouring rays, in rows or columns, at the height of most pixels [m].
 double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>& sightings,
                   const Region& region) {
   constexpr std::size_t kLooks = 64;
@@ -105,7 +105,8 @@ double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>&
     const Pixel& pixel = pixels[i];
     const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
     const auto at = [&](int du, int dv) {
-      return rays.at_height(pixel.u + du, pixel.v + dv, 0, static_cast<double>(pixel.depth));
+      return rays.at_height(pixel.u + du, pixel.v + dv, static_cast<double>(pixel.height),
+                            static_cast<double>(pixel.depth));
     };
     spacings.push_back(
         std::max((at(1, 0) - at(0, 0)).head<2>().norm(), (at(0, 1) - at(0, 0)).head<2>().norm()));

@@ -124,7 +124,7 @@ class Classifier {
       result_.height(v, u) = mean;
       const float limit = std::max(least, static_cast<float>(kSignificant) * deviation_(v, u) /
                                               std::sqrt(std::max(1.0f, counts_(v, u))));
-      if (mean < -limit) result_.level(v, u) = Level::below;
+      if (mean < -limit) result_.level(v, u) = result_.camera > 0 ? Level::below : Level::missing;
       // The means fall from the object's height to zero across its outline: it is where they are
       // half as high.
       if (mean > limit && 2 * mean > highest_near(sums_, v, u, result_.window / 2 + 1)) {

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 _WIDEST = math.radians(120)  # field of view of the image of a cloud
 _NARROWEST = math.radians(5)  # of any image: see View
+_MARGIN = 5  # around the points, whose image cuts nothing off [pixels]
 _MOST, _FEWEST = 640, 64  # pixels along its side
 _FARTHEST = 1e9  # coordinates [m]
 _SPARSE = 0.3  # share of gaps from which on they are bridged
@@ -171,9 +172,10 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
 def _camera(slopes: Matrix, side: float) -> tuple[list[int], Matrix]:
     """Returns width, height and matrix of the image whose pixels have this side at distance 1."""
     size = [int(np.clip(2 * slope / side, _FEWEST, _MOST)) for slope in slopes]
-    camera = Camera(size[0], size[1], 2 * math.atan(slopes[0] * 1.02))
+    across, down = (slope * (1 + 2 * _MARGIN / n) for slope, n in zip(slopes, size, strict=True))
+    camera = Camera(size[0], size[1], 2 * math.atan(across))
     K = camera.K.copy()
-    K[1, 1] = size[1] / (2 * slopes[1] * 1.02)
+    K[1, 1] = size[1] / (2 * down)
     return size, K
 
 

@@ -21,7 +21,13 @@ def loop_line(loops: Sequence[geometry.Loop], index: int) -> str:
     """Describes one loop: its number, its length, and the thickness of the part it runs along."""
     loop = loops[index]
     which = "the loop" if len(loops) == 1 else f"loop {index} of {len(loops)} (counted from 0)"
-    return f"{which}, {loop.length:.3g} m long, along a part {100 * loop.thickness:.2g} cm thick"
+    return f"{which}, {loop.length:.3g} m long, {_thickness(loop)}"
+
+
+def _thickness(loop: geometry.Loop) -> str:
+    if loop.thickness == 0:
+        return "along a part of unknown thickness"
+    return f"along a part {100 * loop.thickness:.2g} cm thick"
 
 
 def betti_line(loops: geometry.Loops) -> list[str]:
@@ -99,9 +105,8 @@ def as_text(loops: geometry.Loops) -> str:
     lines = [f"{count(len(loops.found), 'loops')} found, {longest}"]
     for k, loop in enumerate(loops.found):
         sure = f", persists up to {loop.death:.3g} m" if math.isfinite(loop.death) else ""
-        thick = f"along a part {100 * loop.thickness:.2g} cm thick"
         through = f", seen through on {1e4 * loop.seen_through:.3g} cm^2" if loops.has_rays else ""
-        lines.append(f"  {k}: {loop.length:.3g} m long, {thick}{sure}{through}")
+        lines.append(f"  {k}: {loop.length:.3g} m long, {_thickness(loop)}{sure}{through}")
     lines += unclear
     if loops.meridians:
         run = "runs" if len(loops.meridians) == 1 else "run"

@@ -15,7 +15,6 @@ from rclpy.action import ActionClient
 
 from ..errors import explain
 from .halting import HaltedError, Timer, positions
-from .measured import turns_of, with_mimics
 from .messages import RefusedError, time_of, trajectory_of
 
 if TYPE_CHECKING:
@@ -78,7 +77,7 @@ def turns_at_start(found: Found, joints: Joints, settings: Settings) -> Matrix:
     Raises RefusedError unless the robot is known to be where the trajectory starts.
     """
     q = joints.positions(found.joint_names, settings.joint_state_seconds)
-    turns = turns_of(found, q)
+    turns = found.turns_to(q)
     start = found.positions[0] + turns
     off = np.abs(q - start) * [found.joints[name].weight for name in found.joint_names]
     k = int(np.argmax(off))
@@ -205,7 +204,7 @@ class Controllers:
         HaltedError
             A controller failed, the goal was cancelled, or the state of the robot was lost.
         """
-        found = with_mimics(found, self._settings.joints)
+        found = found.with_mimics(self._settings.joints)
         parts = parts_of(found, self._settings.controllers)
         self._require_ready(found, parts)
         turns = turns_at_start(found, self._joints, self._settings)
@@ -226,6 +225,9 @@ class Controllers:
             is_ours = isinstance(error, (HaltedError, RefusedError))
             reason = str(error) if is_ours else explain(error)
             raise HaltedError(status, f"{reason}{left}") from error
+        except BaseException:
+            self._withdraw(orders)
+            raise
 
     def _require_ready(self, found: Found, parts: list[Part]) -> None:
         if not parts:

@@ -4,10 +4,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .measured import TURN
+
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from ..frames import Matrix
     from .measured import Joint
 
@@ -157,3 +163,28 @@ class Found:
     def is_solved(self) -> bool:
         """True if there is a plan that was checked."""
         return self.status == "solved"
+
+    def with_mimics(self, names: Iterable[str]) -> Found:
+        """Returns a trajectory that has the mimic joints among some joints, too."""
+        added = [name for name in names if name in self.joints and name not in self.joint_names]
+        joints = [self.joints[name] for name in added]
+        columns = [self.joint_names.index(joint.driver) for joint in joints]
+        factors, offsets = (
+            np.array([getattr(j, what) for j in joints]) for what in ("multiplier", "offset")
+        )
+
+        def extended(values: Matrix, shift: Any = 0.0) -> Matrix:
+            return np.hstack([values, values[:, columns] * factors + shift])
+
+        return replace(
+            self,
+            joint_names=[*self.joint_names, *added],
+            positions=extended(self.positions, offsets),
+            velocities=extended(self.velocities),
+            accelerations=extended(self.accelerations),
+        )
+
+    def turns_to(self, q: Matrix) -> Matrix:
+        """Returns the whole turns from its start to measured joints [dof] [rad]."""
+        is_continuous = np.array([self.joints[name].is_continuous for name in self.joint_names])
+        return np.where(is_continuous, TURN * np.round((q - self.positions[0]) / TURN), 0.0)

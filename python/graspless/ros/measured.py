@@ -7,22 +7,19 @@ A measured joint may have gone beyond its limit a little, or turned many times.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from .._xml import parse
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Mapping
     from xml.etree.ElementTree import Element
 
     from .._core.robot import Robot
-    from ..frames import Matrix
-    from .jobs import Found
 
-_TURN = 2 * np.pi
+TURN = 2 * math.pi
 _WEIGHTS = {"revolute": 1.0, "continuous": 1.0, "prismatic": 10.0}  # as in Robot.step_weights
 
 
@@ -80,34 +77,7 @@ def home_of(robot: Robot, measured: Mapping[str, float], tolerance: float) -> di
             continue
         q = measured[name]
         if joints[name].is_continuous:
-            q -= _TURN * round(q / _TURN)
+            q -= TURN * round(q / TURN)
         near = min(max(q, float(robot.lower[k])), float(robot.upper[k]))
         home[name] = near if abs(q - near) * joints[name].weight <= tolerance else q
     return home
-
-
-def with_mimics(found: Found, names: Iterable[str]) -> Found:
-    """Returns a trajectory that has the mimic joints among some joints, too."""
-    added = [name for name in names if name in found.joints and name not in found.joint_names]
-    joints = [found.joints[name] for name in added]
-    columns = [found.joint_names.index(joint.driver) for joint in joints]
-    factors, offsets = (
-        np.array([getattr(j, what) for j in joints]) for what in ("multiplier", "offset")
-    )
-
-    def extended(values: Matrix, shift: Any = 0.0) -> Matrix:
-        return np.hstack([values, values[:, columns] * factors + shift])
-
-    return replace(
-        found,
-        joint_names=[*found.joint_names, *added],
-        positions=extended(found.positions, offsets),
-        velocities=extended(found.velocities),
-        accelerations=extended(found.accelerations),
-    )
-
-
-def turns_of(found: Found, q: Matrix) -> Matrix:
-    """Returns the whole turns from the start of a trajectory to measured joints [dof] [rad]."""
-    is_continuous = np.array([found.joints[name].is_continuous for name in found.joint_names])
-    return np.where(is_continuous, _TURN * np.round((q - found.positions[0]) / _TURN), 0.0)

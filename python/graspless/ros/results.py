@@ -11,7 +11,6 @@ from graspless_msgs.action import PickObject, PlanTask
 from graspless_msgs.msg import Attempt, Margin, Motion
 
 from .controllers import parts_of
-from .measured import with_mimics
 from .messages import poses_of, trajectory_of
 
 if TYPE_CHECKING:
@@ -29,7 +28,7 @@ def motion_of(ending: Ending, settings: Settings, stamp: Any) -> Any:
     motion.object_poses.header.frame_id = settings.world_frame
     if found.times is None:
         return motion
-    found = with_mimics(found, settings.joints)
+    found = found.with_mimics(settings.joints)
     motion.object_poses = poses_of(found.object_poses, settings.world_frame, stamp)
     for name, names, columns in split(found, settings):
         motion.controllers.append(name)

@@ -24,11 +24,12 @@ if TYPE_CHECKING:
 Respect = Literal["nothing", "objects", "unseen"]
 RESPECTS: tuple[Respect, ...] = get_args(Respect)
 RESPECT = (
-    "obstacles of the scene: nothing; objects: the other objects and supports; unseen: also "
-    "the space that no ray reached, except behind the object itself"
+    "obstacles of the scene: nothing; objects: the other objects, and supports less than 0.5 m "
+    "below; unseen: also the space that no ray reached, except behind the object itself"
 )
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
+BELOW = 0.5  # depth at which a support, such as the floor, is in nobody's way [m]
 SAME = 0.005  # difference in height of supports that may be one, which a shadow divides [m]
 SUNK = 0.001  # depth of the tops of such supports, as obstacles, below what the object is on [m]
 
@@ -90,7 +91,9 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
     for support in scene.supports:
         if support.name == own.name and not has_support:
             continue
-        above = float(support.X_WS[2, 3] - own.X_WS[2, 3])
+        above = float(own.X_WS[:3, 2] @ (support.X_WS[:3, 3] - own.X_WS[:3, 3]))
+        if above < -BELOW:
+            continue
         found.append(slab(support, 0.0 if abs(above) > SAME else -SUNK - max(above, 0.0)))
     if respect == "unseen":
         spaces = [space for space in scene.unseen if space.behind != thing.name]

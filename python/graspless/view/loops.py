@@ -47,7 +47,8 @@ def draw(points: ArrayLike, loops: geometry.Loops) -> bytes:
     draw_cloud(axes, cloud, rings, None, _camera(cloud, rings), PANEL)
     for k, loop in enumerate(loops.found):
         color = _hue(k, len(rings))
-        label = f"{k}: {loop.length:.3g} m, {100 * loop.thickness:.2g} cm"
+        thick = f"{100 * loop.thickness:.2g} cm" if loop.thickness > 0 else "unknown"
+        label = f"{k}: {loop.length:.3g} m, {thick}"
         axes.plot([], [], lw=3, color=color, label=label)
     if rings:
         key = {"fontsize": 9, "frameon": False, "title": "loop: length, thickness"}

@@ -171,9 +171,12 @@ int PoseGraph::find_kind(int pose, int move) const {
     touches = touches || found == Touch::wall;
     states.push_back(moving_state(X_WO_j, twist));
   }
-  if (touches || !is_level(problem_)) return add_kind(states);
+  if (touches) return add_kind(states);
   int& on_floor = floor_kinds_[ix(motion(pose, move))];
-  if (on_floor == kUnknown) on_floor = add_kind({states.front()});  // mechanics stay the same
+  if (on_floor == kUnknown) {
+    if (is_level(problem_)) states.resize(1);  // mechanics stay the same
+    on_floor = add_kind(states);
+  }
   return on_floor;
 }
 
