@@ -117,17 +117,19 @@ double tenth(std::vector<double> values) {
   return *at;
 }
 
-/// 0, unknown, where a tenth of the sections has too few points.
+/// 0, unknown, where more than a quarter of the sections has too few points: those of a thin handle
+/// would leave the thickness to what it hangs on.
 Thickness thickness_along(const Eigen::Matrix3Xd& loop, const Balls& balls, double d) {
   std::vector<double> narrowest, widest;
-  for (const ClaspTarget& center : clasp_targets(loop, kSections)) {
+  const std::vector<ClaspTarget> centers = clasp_targets(loop, kSections);
+  for (const ClaspTarget& center : centers) {
     const std::vector<Eigen::Vector2d> piece = CrossSection(balls, center, d / 3).take_connected(d);
-    const bool is_known = piece.size() >= kMinPoints;
-    const auto [least, most] = is_known ? widths_of(piece) : std::make_pair(0.0, 0.0);
+    if (piece.size() < kMinPoints) continue;
+    const auto [least, most] = widths_of(piece);
     narrowest.push_back(least);
     widest.push_back(most);
   }
-  if (widest.empty()) return {};
+  if (widest.empty() || 4 * widest.size() < 3 * centers.size()) return {};
   return {tenth(std::move(widest)), tenth(std::move(narrowest))};
 }
 

