@@ -65,7 +65,7 @@ def test_a_slide_from_a_scene_ends_over_a_real_edge(folder):
     assert thing.thickness == pytest.approx(0.006, abs=0.001)
     assert 0 < len(support.usable_edges) < len(support.polygon.vertices)
     obstacles = [body.name for body in task.problem.obstacles]
-    assert obstacles == ["scene object_1", "scene object_2", "scene support_0"]
+    assert obstacles == ["scene object_1", "scene object_2"]
     plan = graspless.plan(task, seed=1)
     assert plan, plan.reason
     assert graspless.check(plan) == []
@@ -88,17 +88,17 @@ def test_obstacles_of_a_scene_are_chosen(folder):
         return [body.name for body in load(folder, text).problem.obstacles]
 
     assert names("nothing") == []
-    seen = ["scene object_1", "scene object_2", "scene support_0"]  # the last one is the floor
+    seen = ["scene object_1", "scene object_2"]
     assert names("objects") == seen
     unseen = names("unseen")
-    assert unseen[:4] == [*seen, "unseen 0"]
+    assert unseen[:3] == [*seen, "unseen 0"]
 
 
 @pytest.mark.parametrize(
     ("above", "top"),
-    [(0.1, 0.1), (0.015, 0.015), (0.002, -0.001), (-0.002, -0.003), (-0.04, -0.04), (-0.7, -0.7)],
+    [(0.1, 0.1), (0.015, 0.015), (0.002, -0.001), (-0.002, -0.003), (-0.04, -0.04), (-0.45, -0.45)],
 )
-def test_all_supports_of_a_scene_are_obstacles(above, top):
+def test_supports_around_an_object_are_obstacles(above, top):
     scene = scene_of([[[0, 0], [0.1, 0], [0.1, 0.1], [0, 0.1]]])
     X_WS = np.eye(4)
     X_WS[2, 3] = above
@@ -114,6 +114,13 @@ def test_all_supports_of_a_scene_are_obstacles(above, top):
     assert found.name == "scene support_1"
     heights = [above + corner[2] for part in found.parts for corner in part.convex]
     assert max(heights) == pytest.approx(top)
+
+
+def test_a_floor_far_below_is_no_obstacle(folder):
+    scene = perception.load_scene(folder / "scene.yaml")
+    found = scenes.obstacles(scene, scene.objects[0], "objects", has_support=False)
+    assert len(scene.supports) > 1
+    assert not any("support" in obstacle.name for obstacle in found)
 
 
 def test_a_clasp_from_a_scene_has_cloud_pose_and_table(folder):

@@ -96,24 +96,15 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
   }
 }
 
-/// Distance between neighbouring rays, in rows or columns, at the height of most pixels [m].
 double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>& sightings,
                   const Region& region) {
-  constexpr std::size_t kLooks = 64;
-  std::vector<double> spacings;
-  for (std::size_t i = 0; i < pixels.size(); i += pixels.size() / kLooks + 1) {
-    const Pixel& pixel = pixels[i];
-    const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
-    const auto at = [&](int du, int dv) {
-      return rays.at_height(pixel.u + du, pixel.v + dv, static_cast<double>(pixel.height),
-                            static_cast<double>(pixel.depth));
-    };
-    spacings.push_back(
-        std::max((at(1, 0) - at(0, 0)).head<2>().norm(), (at(0, 1) - at(0, 0)).head<2>().norm()));
-  }
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  const Pixel& pixel = pixels[pixels.size() / 2];
+  const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
+  const auto at = [&](int dv) {
+    return rays.at_height(pixel.u, pixel.v + dv, static_cast<double>(pixel.height),
+                          static_cast<double>(pixel.depth));
+  };
+  return (at(1) - at(0)).head<2>().norm();
 }
 
 }  // namespace
