@@ -43,9 +43,11 @@ def test_the_names_of_another_arm_are_not_taken():
     assert names(made, found.hand["arm"]) == [f"b_joint_{i}" for i in range(6)]
     assert names(made, found.clasp["hand"]) == ["b_slide_left"]
     assert names(made, "arm") == joints
-    opened, home = (made.state(name) for name in (found.hand["open"], "home"))
+    opened, former, home = (made.state(name) for name in (found.hand["open"], "open", "home"))
     assert opened[made.joint("b_slide_left")] == pytest.approx(0.03)
-    assert opened[made.joint("a_slide_left")] == pytest.approx(0.01)
+    assert opened[made.joint("a_slide_left")] == 0  # the other hand stays
+    assert former[made.joint("a_slide_left")] == pytest.approx(0.01)
+    assert former[made.joint("b_slide_left")] == 0
     assert home[made.joint("a_joint_0")] == pytest.approx(0.4)
     assert np.abs(home[made.group(found.hand["arm"])]).max() > 0.1
     other = inspected(two, srdf, palm="a_palm")
