@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Nearest point of a segment.
+// Nearest points of segments.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
 
 namespace graspless::geometry {
 
@@ -21,6 +25,16 @@ double nearest_on_segment(const P& p, const A& a, const B& b) {
 template <typename P, typename A, typename B>
 double distance_to_segment(const P& p, const A& a, const B& b) {
   return (p - a - nearest_on_segment(p, a, b) * (b - a)).norm();
+}
+
+/// Distance of p from a closed polyline, 3 x n [m].
+inline double distance_to_loop(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
+    const Eigen::Vector3d a = loop.col(i), b = loop.col((i + 1) % loop.cols());
+    least = std::min(least, (p - a - nearest_on_segment(p, a, b) * (b - a)).squaredNorm());
+  }
+  return std::sqrt(least);
 }
 
 }  // namespace graspless::geometry

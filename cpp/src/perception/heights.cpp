@@ -62,7 +62,11 @@ float highest_near(const DepthImage& mean, Eigen::Index v, Eigen::Index u, int h
 class Classifier {
  public:
   Classifier(const Sight& sight, const NoiseModel& noise, const Options& options, Heights& result)
-      : sight_(sight), noise_(noise), options_(options), result_(result) {}
+      : sight_(sight),
+        noise_(noise),
+        options_(options),
+        result_(result),
+        below_(result.camera > 0 ? Level::below : Level::missing) {}
 
   void classify() {
     const Eigen::Index height = sight_.depth.rows(), width = sight_.depth.cols();
@@ -101,11 +105,10 @@ class Classifier {
       const bool is_near = z > 0 && std::abs(h) <= limit;
       sum[u] = is_near ? h : 0;
       count[u] = is_near ? 1 : 0;
-      level[u] = !(z > 0)     ? Level::missing
-                 : h > limit  ? Level::above
-                 : is_near    ? Level::level
-                 : camera > 0 ? Level::below
-                              : Level::missing;  // a ray from below that ends before the plane
+      level[u] = !(z > 0)    ? Level::missing
+                 : h > limit ? Level::above
+                 : is_near   ? Level::level
+                             : below_;
     }
   }
 
@@ -124,7 +127,7 @@ class Classifier {
       result_.height(v, u) = mean;
       const float limit = std::max(least, static_cast<float>(kSignificant) * deviation_(v, u) /
                                               std::sqrt(std::max(1.0f, counts_(v, u))));
-      if (mean < -limit) result_.level(v, u) = result_.camera > 0 ? Level::below : Level::missing;
+      if (mean < -limit) result_.level(v, u) = below_;
       // The means fall from the object's height to zero across its outline: it is where they are
       // half as high.
       if (mean > limit && 2 * mean > highest_near(sums_, v, u, result_.window / 2 + 1)) {
@@ -137,6 +140,7 @@ class Classifier {
   const NoiseModel& noise_;
   const Options& options_;
   Heights& result_;
+  const Level below_;  // of points below the plane; a ray from below has not come as far
   DepthImage sums_, counts_, deviation_;
 };
 

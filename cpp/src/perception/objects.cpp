@@ -101,17 +101,16 @@ Eigen::Isometry3d frame_in(const Raster& raster, double& length) {
 
 /// True if no view has the whole object in its image.
 bool is_cut_off(const Cluster& cluster, const std::vector<Sighting>& sightings) {
-  enum class Seen { not_at_all, whole, cut };
-  std::vector<Seen> seen(sightings.size(), Seen::not_at_all);
+  std::vector<bool> has_whole(sightings.size(), false);
+  for (const Pixel& p : cluster.pixels) has_whole[static_cast<std::size_t>(p.view)] = true;
   for (const Pixel& p : cluster.pixels) {
     const auto view = static_cast<std::size_t>(p.view);
     const Sight& sight = *sightings[view].sight;
     const bool is_at_border = p.u < kBorder || p.v < kBorder || p.u >= sight.width() - kBorder ||
                               p.v >= sight.height() - kBorder;
-    if (is_at_border) seen[view] = Seen::cut;
-    if (seen[view] == Seen::not_at_all) seen[view] = Seen::whole;
+    if (is_at_border) has_whole[view] = false;
   }
-  return std::find(seen.begin(), seen.end(), Seen::whole) == seen.end();
+  return std::find(has_whole.begin(), has_whole.end(), true) == has_whole.end();
 }
 
 /// Share of the pixels that have something nearer, which is not above the support by as much or not

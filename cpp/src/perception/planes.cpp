@@ -155,8 +155,8 @@ std::vector<Plane> find_planes(std::vector<Cell> cells, const Options& options, 
   for (std::uint64_t i = 0; cells.size() >= 3 && planes.size() < kMostPlanes; ++i) {
     auto plane = best_plane(cells, options.seed + i);
     if (!plane) break;
-    const double most = measure_plane(*plane);
-    if (plane->cells.size() < 3 || most < options.min_support_area) break;
+    const double in_all_views = measure_plane(*plane);
+    if (plane->cells.size() < 3 || in_all_views < options.min_support_area) break;
     const auto lies = [&](const Cell& cell) { return lies_in(cell, *plane); };
     cells.erase(std::remove_if(cells.begin(), cells.end(), lies), cells.end());
     const bool is_large = plane->area >= options.min_support_area;

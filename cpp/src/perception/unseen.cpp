@@ -206,11 +206,12 @@ std::vector<geometry::Convex> patches(const Region& region, const Options& optio
       if (label >= 0) boxes[static_cast<std::size_t>(label)].extend(Eigen::Vector2i(x, y));
     }
   }
+  constexpr int kThinnest = 5;  // cells across
   const Eigen::Vector2d half = Eigen::Vector2d::Constant(unknown.cell / 2);
   std::vector<geometry::Convex> shapes;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const double area = static_cast<double>(pieces.size[k]) * unknown.cell * unknown.cell;
-    if (area < kLeastPatch || boxes[k].sizes().minCoeff() + 1 < 5) continue;
+    if (area < kLeastPatch || boxes[k].sizes().minCoeff() + 1 < kThinnest) continue;
     for (const Eigen::AlignedBox2i& part :
          cover_piece(pieces, unknown, static_cast<int>(k), boxes[k])) {
       const Eigen::AlignedBox2d box(unknown.center(part.min().x(), part.min().y()) - half,

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames
-from .._xml import parse
+from .._xml import origin, parse
 from ..errors import TaskError, explain
 from ..tasks.meshes import package_of
 from ..tasks.statement import pose_fields
@@ -72,10 +71,7 @@ def _placed_link(tree: Element) -> tuple[str, Matrix]:
     if len(free) > 1:
         names = ", ".join(joint.get("name", "") for joint in free)
         raise ValueError(f"has {len(free)} planar or floating joints, not one: {names}")
-    child, origin = free[0].find("child"), free[0].find("origin")
-    given = {} if origin is None else origin.attrib
-    p_BC, rpy = ([float(v) for v in given.get(key, "0 0 0").split()] for key in ("xyz", "rpy"))
-    X_BC = frames.translation(p_BC) @ frames.from_rpy(rpy)
+    child, X_BC = free[0].find("child"), origin(free[0])
     return "" if child is None else child.get("link", ""), np.asarray(np.linalg.inv(X_BC), float)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames, geometry
-from .._xml import parse
+from .._xml import origin, parse
 from ..errors import TaskError
 from ..tasks.meshes import prepare_meshes
 from ..tasks.obstacles import OF_SCENE
@@ -186,7 +186,7 @@ def _visual_parts(visual: ET.Element, palette: dict[str, Color], robot: RobotFie
     else:
         mesh = read_visual(shape.get("filename", ""), robot)
         mesh.apply_scale(_numbers(shape.get("scale"), [1, 1, 1]))
-    return [_part(mesh, _origin(visual), color)]
+    return [_part(mesh, origin(visual), color)]
 
 
 def _capsule(radius: float, length: float) -> Any:
@@ -223,14 +223,6 @@ def _split_edges(p: Matrix, f: NDArray[np.int64]) -> tuple[Matrix, NDArray[np.in
     triangles = f.copy()
     triangles[sharp] = len(p) + np.arange(np.count_nonzero(sharp))
     return np.concatenate([p, p[f[sharp]]]), triangles
-
-
-def _origin(element: ET.Element) -> Matrix:
-    origin = element.find("origin")
-    if origin is None:
-        return np.eye(4)
-    xyz, rpy = _numbers(origin.get("xyz"), [0, 0, 0]), _numbers(origin.get("rpy"), [0, 0, 0])
-    return frames.translation(xyz) @ frames.from_rpy(rpy)
 
 
 def _color(material: ET.Element) -> Color:

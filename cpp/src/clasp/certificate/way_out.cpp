@@ -9,7 +9,7 @@
 #include "graspless/geometry/linking.hpp"
 #include "graspless/watch.hpp"
 
-#include "clasp/stability/sequences.hpp"
+#include "geometry/segment.hpp"
 #include "geometry/turn.hpp"
 
 namespace graspless::clasp {
@@ -84,7 +84,9 @@ bool WayOut::all_near(const Pose& pose, double shift, double angle, Visit visit)
   return true;
 }
 
-double WayOut::away(const Pose& pose) const { return distance_to_loop(curve_O_, pose.p_OC); }
+double WayOut::away(const Pose& pose) const {
+  return geometry::distance_to_loop(curve_O_, pose.p_OC);
+}
 
 bool WayOut::is_linked(const Pose& pose) const {
   const Eigen::Matrix3Xd ring_O = (pose.turn.toRotationMatrix() * ring_C_).colwise() + pose.p_OC;

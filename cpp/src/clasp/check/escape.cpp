@@ -12,7 +12,7 @@
 #include "clasp/check/checker.hpp"
 #include "clasp/free_space/link_spheres.hpp"
 #include "clasp/free_space/object_collision.hpp"
-#include "clasp/stability/sequences.hpp"
+#include "geometry/segment.hpp"
 #include "geometry/turn.hpp"
 
 namespace graspless::clasp {
@@ -131,7 +131,7 @@ bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
   // The curves lie in this ball, so a loop outside it is out of the hand.
   const auto is_out = [&](const Eigen::Isometry3d& X_WO) {
     const Eigen::Vector3d center_O = X_WO.inverse() * hand.center_W;
-    return distance_to_loop(p_OL, center_O) > 1.2 * hand.radius;
+    return geometry::distance_to_loop(p_OL, center_O) > 1.2 * hand.radius;
   };
   MovingObject object(problem, q);
   std::mt19937_64 rng(20130901);

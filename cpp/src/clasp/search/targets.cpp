@@ -17,7 +17,6 @@
 #include "clasp/search/hole.hpp"
 #include "clasp/search/pull.hpp"
 #include "clasp/stability/pinch.hpp"
-#include "clasp/stability/sequences.hpp"
 #include "geometry/segment.hpp"
 
 namespace graspless::clasp {
@@ -240,7 +239,7 @@ int marked_loop(const Problem& problem, const Eigen::Vector3d& mark) {
   for (const int loop : allowed_loops(problem)) {
     poll();
     const auto& points = problem.object.loops().found[static_cast<std::size_t>(loop)].points;
-    const double distance = distance_to_loop(points, mark);
+    const double distance = geometry::distance_to_loop(points, mark);
     if (distance < least) marked = loop;
     least = std::min(least, distance);
   }

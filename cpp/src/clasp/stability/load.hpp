@@ -14,6 +14,7 @@
 
 #include "clasp/stability/distance.hpp"
 #include "clasp/stability/load_contacts.hpp"
+#include "clasp/stability/load_step.hpp"
 #include "crew.hpp"
 
 namespace graspless::clasp {
@@ -74,7 +75,7 @@ class LoadTester {
   Eigen::VectorXd directions_;  // 1 or -1
   Eigen::VectorXd units_;       // lengths in mm: 1 for a prismatic joint, 1000 for others
   Eigen::VectorXd limits_;      // [N or N mm]
-  double give_ = 2;             // of a step, as LoadStepper takes it [N mm]
+  double give_ = kGive;         // of a step, as LoadStepper takes it [N mm]
   Eigen::Vector3d mean_O_;      // of the object's points
 };
 

@@ -16,6 +16,7 @@
 namespace graspless::clasp {
 
 constexpr double kMove = 2;  ///< largest step in a coordinate [mm]
+constexpr double kGive = 2;  ///< largest work by which the hand yields in a step [N mm]
 
 /// Constraint row . move <= gap + opens . yield. Lengths are in mm.
 struct LoadContact {
@@ -52,7 +53,7 @@ class LoadStepper {
   /// `limits`: of the efforts of the joints, in the units of LoadContact::opens. `give`: work by
   /// which the hand may yield, which makes efforts unique [N mm]; little, lest a joint give way for
   /// a whole step.
-  explicit LoadStepper(Eigen::VectorXd limits, double give = 2)
+  explicit LoadStepper(Eigen::VectorXd limits, double give = kGive)
       : limits_(std::move(limits)), give_(give) {}
 
   LoadStep step(const mechanics::Vector6d& load, LoadContacts& contacts);

@@ -10,6 +10,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/segment.hpp"
+
 namespace graspless::clasp {
 namespace {
 
@@ -47,14 +49,14 @@ void run(const Eigen::Matrix3Xd& loop_O, double escape, const StabilityOptions& 
   const int max_turns = static_cast<int>(std::ceil(2 * M_PI / options.turn));
   walk.reset();
   const std::int64_t before = walk.steps();
-  double distance = distance_to_loop(loop_O, walk.p_OC());
+  double distance = geometry::distance_to_loop(loop_O, walk.p_OC());
   sequence.farthest = distance;
   for (const Eigen::Vector3d& direction : sequence.directions) {
     if (distance > escape) break;
     poll();
     if (sequence.moves++ % 2 == 0) {
       walk.translate(direction, max_steps);
-      distance = distance_to_loop(loop_O, walk.p_OC());
+      distance = geometry::distance_to_loop(loop_O, walk.p_OC());
       sequence.farthest = std::max(sequence.farthest, distance);
     } else {
       walk.rotate(direction, max_turns);
@@ -65,16 +67,6 @@ void run(const Eigen::Matrix3Xd& loop_O, double escape, const StabilityOptions& 
 }
 
 }  // namespace
-
-double distance_to_loop(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < loop.cols(); ++i) {
-    const Eigen::Vector3d a = loop.col(i), side = loop.col((i + 1) % loop.cols()) - a;
-    const double along = (p - a).dot(side) / std::max(side.squaredNorm(), 1e-18);
-    least = std::min(least, (p - a - std::clamp(along, 0.0, 1.0) * side).squaredNorm());
-  }
-  return std::sqrt(least);
-}
 
 Sequences run_sequences(const Eigen::Matrix3Xd& loop_O, double escape,
                         const StabilityOptions& options, int least_sequences,

@@ -23,9 +23,6 @@ struct Walker {
   ObjectWalk walk;
 };
 
-/// Distance of a point from a closed polyline, 3 x n [m].
-double distance_to_loop(const Eigen::Matrix3Xd& loop, const Eigen::Vector3d& p);
-
 /// Where a loop has come in some sequences.
 struct Sequences {
   int escapes = 0;          ///< number of sequences in which it escaped

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "clasp/stability/sequences.hpp"
+#include "geometry/segment.hpp"
 
 namespace graspless::clasp {
 
@@ -41,7 +42,8 @@ Hang StabilityTester::hang(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loo
   const Eigen::Vector3d mean_W = problem_.X_WO * mean_of_surface(problem_.object);
   result.drop = mean_W.z() - (moved * mean_W).z();
   result.swing = Eigen::AngleAxisd(moved.linear()).angle();
-  result.holds = distance_to_loop(result.X_WO * loop_O, p_WC) <= escape && result.drop < 2 * escape;
+  result.holds =
+      geometry::distance_to_loop(result.X_WO * loop_O, p_WC) <= escape && result.drop < 2 * escape;
   return result;
 }
 

@@ -17,8 +17,6 @@ using Eigen::VectorXd;
 using mechanics::kInfinity;
 using mechanics::Vector6d;
 
-constexpr double kGive = 2;  // of load_step.cpp [N mm]
-
 /// The primal program with all contacts: the move, then the yields.
 mechanics::LpSolution oracle(const Vector6d& load, const std::vector<LoadContact>& contacts,
                              const VectorXd& limits) {
