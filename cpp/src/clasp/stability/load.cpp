@@ -28,7 +28,8 @@ using mechanics::Vector6d;
 constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
 constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
 constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
-constexpr int kMoves = 6;
+constexpr int kMoves = 6;            // with the same near points: shorter than kReach
+constexpr int kStretches = 8;        // of kMoves each, at most: more play than a closed hand has
 constexpr double kLeastTurn = 0.002;  // by which each joint may give way in a step [rad]
 constexpr double kLeastSlide = 0.1;   // [mm]
 constexpr std::size_t kUsualPoints = 1 << 14;
@@ -45,16 +46,16 @@ struct CellHash {
   }
 };
 
+}  // namespace
+
 /// What is known of the points near the hand, and of them before the object moves: of all loads.
-struct Measured {
+struct LoadTester::Measured {
   Measured(NearPoints near, const std::vector<Body>& bodies, const Posture& hand)
       : points(std::move(near)), first(points, Eigen::Isometry3d::Identity(), bodies, hand) {}
 
   NearPoints points;
   PosedContacts first;
 };
-
-}  // namespace
 
 Eigen::Isometry3d motion_of(const Vector6d& move, const Vector3d& center_W) {
   const Vector3d turn = move.tail<3>() / kArm;
@@ -188,16 +189,17 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
   return {std::move(points_W), ranges, distances};
 }
 
-LoadEffort LoadTester::effort_of(const Vector6d& load, NearPoints& points, PosedContacts& first,
-                                 const Posture& hand) const {
+/// At most kMoves steps from `first`, contacts of the object at X_WO, whose mean is then at mean_W.
+LoadTester::Pressed LoadTester::press(const Vector6d& load, NearPoints& points,
+                                      PosedContacts& first, const Posture& hand,
+                                      const Vector3d& mean_W) const {
   LoadStepper stepper(limits_, give_);
-  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
-  LoadEffort most;
-  for (int i = 0; i < kMoves; ++i) {
+  Pressed pressed;
+  Eigen::Isometry3d& moved = pressed.moved;
+  for (int i = 0; i < kMoves && !pressed.is_at_rest; ++i) {
     poll();
-    const Vector3d mean_W = moved * (problem_.X_WO * mean_O_);
     Vector6d wrench = load;  // about the hand's centre
-    wrench.tail<3>() += (mean_W - hand.center_W).cross(load.head<3>());
+    wrench.tail<3>() += (moved * mean_W - hand.center_W).cross(load.head<3>());
     wrench.tail<3>() *= kMetre / kArm;
     LoadStep next;
     if (i == 0) {
@@ -206,12 +208,28 @@ LoadEffort LoadTester::effort_of(const Vector6d& load, NearPoints& points, Posed
       PosedContacts contacts(points, moved, bodies_, hand);
       next = stepper.step(wrench, contacts);
     }
-    if (next.effort > most.effort)
-      most = {next.effort, next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
+    if (next.effort > pressed.most.effort)
+      pressed.most = {next.effort,
+                      next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
     moved = motion_of(next.move, hand.center_W) * moved;
-    if (next.move.lpNorm<Eigen::Infinity>() < kAtRest) break;
+    pressed.is_free = pressed.is_free && next.is_free;
+    pressed.is_at_rest = next.move.lpNorm<Eigen::Infinity>() < kAtRest;
   }
-  return most;
+  return pressed;
+}
+
+/// Where nothing stopped the object it goes on, with the points that are near the hand then.
+LoadEffort LoadTester::effort_of(const Vector6d& load, Measured& known, const Posture& hand,
+                                 double reach) const {
+  Eigen::Isometry3d X_WO = problem_.X_WO;
+  Pressed pressed = press(load, known.points, known.first, hand, X_WO * mean_O_);
+  for (int i = 1; i < kStretches && pressed.is_free && !pressed.is_at_rest; ++i) {
+    X_WO = pressed.moved * X_WO;
+    Measured here(near_points(hand, reach, X_WO), bodies_, hand);
+    if (here.points.places.empty()) break;
+    pressed = press(load, here.points, here.first, hand, X_WO * mean_O_);
+  }
+  return pressed.most;
 }
 
 LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, double reach,
@@ -227,7 +245,7 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
   const auto test = [&](std::size_t i) {
     if (i > last) return;
     found[i] = measured.lend([&](Measured& known) {
-      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known.points, known.first, hand);
+      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known, hand, reach + kReach);
     });
     found[i].effort *= kSudden;
     if (!(found[i].effort > enough)) return;

@@ -80,7 +80,8 @@ LoadStep LoadStepper::step(const Vector6d& load, LoadContacts& contacts) {
     const mechanics::LpSolution found = mechanics::solve_lp(program(load, used, limits_, give_));
     if (found.status != mechanics::LpStatus::optimal) return {Vector6d::Zero(), kInfinity, -1};
     const VectorXd yield = found.duals.tail(limits_.size());
-    const LoadStep step{-found.duals.head<6>(), found.x[0], most_yielding(yield, limits_)};
+    const bool is_free = (found.x.tail(used.size()).array() == 0).all();
+    const LoadStep step{-found.duals.head<6>(), found.x[0], most_yielding(yield, limits_), is_free};
     const Contacts added = passed(contacts, step.move, yield, points_);
     if (added.empty()) return step;
     for (const LoadContact* contact : added) {

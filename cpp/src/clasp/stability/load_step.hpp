@@ -43,6 +43,7 @@ struct LoadStep {
   mechanics::Vector6d move = mechanics::Vector6d::Zero();  ///< [mm]
   double effort = 0;         ///< largest effort of a joint, as a fraction of its limit
   Eigen::Index yields = -1;  ///< the joint that yields most, by the work of its motor; -1: none
+  bool is_free = false;      ///< no contact presses
 };
 
 /// Finds the steps under one load by linear programs. A program holds few contacts: those that
