@@ -77,8 +77,10 @@ class Settings:
         Time without a usable pose after which a slide that waits is given up [s].
     between : float
         Least time between two plans [s].
-    resumes, restarts : int
-        Numbers of plans without and with lifting off after which the motion is given up.
+    resumes : int
+        Number of plans without lifting off after which the motion begins anew.
+    restarts : int
+        Number of times that the motion may begin anew before it is given up.
     lift : float
         Height to which the hand is lifted to begin anew [m].
     joint_tolerance : float

@@ -26,7 +26,8 @@ class Options(Fields):
 
     attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
         default=5,
-        description="number of new starts of the chain if a stage cannot continue the others",
+        description="number of searches from the first stage on: another one follows if a stage "
+        "cannot continue the others",
     )
 
 
