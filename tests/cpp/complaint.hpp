@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,13 @@ template <typename Call>
 void expect_refused(Call call, const std::string& words) {
   const std::string said = complaint(call);
   EXPECT_NE(said.find(words), std::string::npos) << said;
+}
+
+/// Faults in one text, a line each.
+inline std::string joined(const std::vector<std::string>& faults) {
+  std::string all;
+  for (const std::string& fault : faults) all += fault + "\n";
+  return all;
 }
 
 }  // namespace graspless

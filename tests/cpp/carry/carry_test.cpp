@@ -15,12 +15,6 @@ namespace {
 
 using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 
-std::string joined(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
-}
-
 void expect_holds(const Problem& problem, const Options& options = {}) {
   const Plan found = plan(problem, options);
   ASSERT_TRUE(found) << found.reason;

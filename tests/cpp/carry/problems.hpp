@@ -13,6 +13,7 @@
 #include "graspless/carry/carry.hpp"
 #include "graspless/robot/ik.hpp"
 
+#include "complaint.hpp"
 #include "paths.hpp"
 
 /// A box in the hands of the WAM and of the KR5, as the tests of carrying need them.
@@ -82,9 +83,7 @@ inline Problem over_table(const robot::Robot& robot, std::vector<Eigen::Isometry
 
 inline std::string faults_of(const Problem& problem, const Plan& plan,
                              const Options& options = {}) {
-  std::string all;
-  for (const std::string& fault : check(problem, plan, options)) all += fault + "\n";
-  return all;
+  return joined(check(problem, plan, options));
 }
 
 inline Segment& segment(Plan& plan, const std::string& name) {

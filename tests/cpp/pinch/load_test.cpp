@@ -6,6 +6,7 @@
 
 #include "graspless/pinch/pinch.hpp"
 
+#include "complaint.hpp"
 #include "pinch/things.hpp"
 
 namespace graspless::pinch {

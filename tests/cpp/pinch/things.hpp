@@ -4,9 +4,6 @@
 // Prisms before a T42.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "graspless/pinch/pinch.hpp"
 
 #include "slide/problems.hpp"
@@ -24,12 +21,6 @@ inline Problem standing(const geometry::Polygon& outline, double height, double 
                         double y = 0.1, double yaw = 0.4) {
   return slide::make_problem(slide::tables()[0], slide::Object::prism("thing", outline, height),
                              slide::flat(x, y, yaw));
-}
-
-inline std::string joined(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
 }
 
 }  // namespace graspless::pinch

@@ -11,6 +11,7 @@
 
 #include "graspless/pinch/pinch.hpp"
 
+#include "complaint.hpp"
 #include "pinch/grasps.hpp"
 #include "pinch/jaw.hpp"
 #include "pinch/wall_measure.hpp"
@@ -69,12 +70,6 @@ Problem with_cup(const Cup& cup, double mass = 0.06, double x = 0.6, double y = 
                             .with_mass(mass)
                             .with_heights(map);
   return slide::make_problem(slide::tables()[0], object, slide::flat(x, y, yaw));
-}
-
-std::string all(const std::vector<std::string>& faults) {
-  std::string joined;
-  for (const std::string& fault : faults) joined += fault + "\n";
-  return joined;
 }
 
 TEST(Walls, AreAsThickAsTheyAreMade) {
@@ -187,7 +182,7 @@ TEST(RimPinch, OneFingerIsInsideAndOneOutside) {
     const Problem problem = with_cup(cup, 0.05, x(rng), y(rng), yaw(rng));
     const Plan found = plan_in_time(problem);
     ASSERT_TRUE(found) << i << ": " << found.reason;
-    EXPECT_EQ(all(check(problem, found)), "");
+    EXPECT_EQ(joined(check(problem, found)), "");
     const double a = found.contacts_O.col(0).head<2>().norm(),
                  b = found.contacts_O.col(1).head<2>().norm();
     EXPECT_LT(std::min(a, b), cup.radius - cup.wall + 1.5 * kFine);
@@ -212,7 +207,7 @@ TEST(RimPinch, SquareVesselsToo) {
   const Problem problem = slide::make_problem(slide::tables()[0], box, slide::flat(0.6, 0, 0.3));
   const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(all(check(problem, found)), "");
+  EXPECT_EQ(joined(check(problem, found)), "");
   EXPECT_LT(found.friction, 0.3);
 }
 
@@ -262,8 +257,8 @@ TEST(RimPinch, NeedsTheForceOfTheHand) {
   options.grip_force = 8;
   const Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(all(check(problem, found, options)), "");
-  EXPECT_NE(all(check(problem, found)).find("effort limit"), std::string::npos);
+  EXPECT_EQ(joined(check(problem, found, options)), "");
+  EXPECT_NE(joined(check(problem, found)).find("effort limit"), std::string::npos);
 }
 
 /// A cup whose wall is lower on one side is taken where it is high.
@@ -277,18 +272,18 @@ TEST(RimPinch, ALowWallIsLeftAlone) {
   const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
   EXPECT_GT(found.contacts_O(0, 0), 0);
-  EXPECT_EQ(all(check(problem, found)), "");
+  EXPECT_EQ(joined(check(problem, found)), "");
 }
 
 TEST(RimPinch, EditedPlansAreAtFault) {
   const Problem problem = with_cup({});
   const Plan found = plan_in_time(problem);
   ASSERT_TRUE(found) << found.reason;
-  ASSERT_EQ(all(check(problem, found)), "");
+  ASSERT_EQ(joined(check(problem, found)), "");
   const auto fault_of = [&](const auto& edit) {
     Plan edited = found;
     edit(edited);
-    return all(check(problem, edited));
+    return joined(check(problem, edited));
   };
   EXPECT_NE(fault_of([](Plan& p) { p.max_mass = 2 * *p.max_mass + 1; }).find("max_mass"),
             std::string::npos);
@@ -330,9 +325,9 @@ TEST(RimPinch, APlanOnALeaningWallNeedsFriction) {
   options.patch = 0.016;
   Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(all(check(problem, found, options)), "");
+  EXPECT_EQ(joined(check(problem, found, options)), "");
   found.friction = 0;
-  EXPECT_NE(all(check(problem, found, options)).find("friction must be at least"),
+  EXPECT_NE(joined(check(problem, found, options)).find("friction must be at least"),
             std::string::npos);
 }
 
@@ -348,7 +343,7 @@ TEST(RimPinch, PlansOnLeaningWallsHold) {
       const Plan found = plan_in_time(problem);
       solved += found ? 1 : 0;
       if (found) {
-        EXPECT_EQ(all(check(problem, found)), "") << lean << ", " << radius;
+        EXPECT_EQ(joined(check(problem, found)), "") << lean << ", " << radius;
       }
     }
   }
@@ -381,15 +376,15 @@ TEST(RimPinch, APlanForAnotherVesselIsAtFault) {
   full.bottom = 0.07;
   thick.wall = 0.02;
   low.height = 0.06;
-  EXPECT_NE(all(check(with_cup(full), found)).find("collision"), std::string::npos);
-  EXPECT_NE(all(check(with_cup(thick), found)), "");
-  EXPECT_NE(all(check(with_cup(low), found)).find("wall"), std::string::npos);
-  EXPECT_NE(all(check(with_cup({}, 1.5), found)).find("it weighs 1.5 kg"), std::string::npos);
+  EXPECT_NE(joined(check(with_cup(full), found)).find("collision"), std::string::npos);
+  EXPECT_NE(joined(check(with_cup(thick), found)), "");
+  EXPECT_NE(joined(check(with_cup(low), found)).find("wall"), std::string::npos);
+  EXPECT_NE(joined(check(with_cup({}, 1.5), found)).find("it weighs 1.5 kg"), std::string::npos);
   Problem unseen = with_cup({});
   HeightMap map = *unseen.object.heights();
   map.undersides = map.heights;
   unseen.object = unseen.object.with_heights(map);
-  EXPECT_NE(all(check(unseen, found)).find("nobody saw"), std::string::npos);
+  EXPECT_NE(joined(check(unseen, found)).find("nobody saw"), std::string::npos);
 }
 
 TEST(RimPinch, IsTheSameEveryTime) {
@@ -427,12 +422,12 @@ TEST(Walls, AHandThatIsLessOpenNeedsLessRoom) {
   options.opening = 0.027;
   const Plan found = plan_in_time(problem, options);
   ASSERT_TRUE(found) << found.reason;
-  EXPECT_EQ(all(check(problem, found, options)), "");
+  EXPECT_EQ(joined(check(problem, found, options)), "");
   EXPECT_NEAR(found.opening, Jaw(problem).opening(), 1e-12);
   EXPECT_NEAR(Jaw(problem).gap(found.segments[1].positions.back()), 0.027, 1e-4);
-  EXPECT_NE(all(check(problem, found)).find("the hand is not open"), std::string::npos);
+  EXPECT_NE(joined(check(problem, found)).find("the hand is not open"), std::string::npos);
   options.opening = 0.03;
-  EXPECT_NE(all(check(problem, found, options)).find("the hand is not open"), std::string::npos);
+  EXPECT_NE(joined(check(problem, found, options)).find("the hand is not open"), std::string::npos);
   options.opening = 1;  // more than it opens
   EXPECT_FALSE(plan_in_time(problem, options));
   options.opening = 0.001;

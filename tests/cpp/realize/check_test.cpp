@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "realize/plans.hpp"
 
 namespace graspless::fingertip {
@@ -27,7 +28,7 @@ class FingertipRealizeCheck : public testing::Test {
     return cube;
   }
   static std::string examine(const Realization& realization) {
-    return faults(check(given().problem, given().plan, two_arms(), two_tips(), realization));
+    return joined(check(given().problem, given().plan, two_arms(), two_tips(), realization));
   }
   /// What check() says when a sound realization was spoilt.
   static std::string spoilt(const std::function<void(Realization&)>& spoil) {

@@ -4,6 +4,7 @@
 
 #include "graspless/realize/realize.hpp"
 
+#include "complaint.hpp"
 #include "realize/plans.hpp"
 #include "robot/robots.hpp"
 
@@ -39,8 +40,8 @@ TEST(FingertipPlanCarried, FingertipsComeNearerTogetherWhereTheHandDoesNotOpen) 
   EXPECT_CONTAINS(best.plan.reason, "touches 'block': a hand that opens wider");
   const CarriedPlan found = carried(problem, {});
   ASSERT_TRUE(found.plan && found.realization) << found.plan.reason;
-  EXPECT_EQ(faults(check(problem, found.plan)), "");
-  EXPECT_EQ(faults(check(problem, found.plan, wam_tips(), t42(), found.realization)), "");
+  EXPECT_EQ(joined(check(problem, found.plan)), "");
+  EXPECT_EQ(joined(check(problem, found.plan, wam_tips(), t42(), found.realization)), "");
   EXPECT_GT(found.plan.cost, best.plan.cost);
   EXPECT_EQ(found.plan.lower_bound, best.plan.lower_bound);
   EXPECT_CONTAINS(found.plan.warnings.back(), "fingertips are at most ");

@@ -87,13 +87,6 @@ struct BlockTumble {
   Presses pinch;
 };
 
-/// What check() says, in one text.
-inline std::string faults(const std::vector<std::string>& found) {
-  std::string all;
-  for (const std::string& fault : found) all += fault + "\n";
-  return all;
-}
-
 inline const robot::Robot& wam_tips() {
   static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42_tips.urdf"));
   return robot;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "realize/plans.hpp"
 #include "robot/robots.hpp"
 
@@ -45,7 +46,7 @@ TEST(FingertipRealize, TheWamTumblesABlock) {
   const VectorXd home = robot.state("home");
   const Realization result = realize(given.problem, plan, robot, t42(), home);
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, plan, robot, t42(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, plan, robot, t42(), result)), "");
   EXPECT_EQ(names(result),
             (std::vector<std::string>{"approach", "touch", "tumble", "release", "retreat"}));
   EXPECT_EQ(result.segments.front().positions.front(), home);
@@ -60,7 +61,7 @@ TEST(FingertipRealize, FingersMayBeAssignedEitherWay) {
   const Plan plan = solved({displacement("tumble", given.path, given.pinch)});
   const Realization result = realize(given.problem, plan, robot, t42(), robot.state("home"));
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, plan, robot, t42(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, plan, robot, t42(), result)), "");
 }
 
 TEST(FingertipRealize, TwoArmsSlideRegraspAndSlideOn) {
@@ -68,7 +69,7 @@ TEST(FingertipRealize, TwoArmsSlideRegraspAndSlideOn) {
   const VectorXd home = aside();
   const Realization result = realize(given.problem, given.plan, two_arms(), two_tips(), home);
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, given.plan, two_arms(), two_tips(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, given.plan, two_arms(), two_tips(), result)), "");
   EXPECT_EQ(names(result),
             (std::vector<std::string>{"approach", "touch", "slide", "release", "reach", "touch",
                                       "slide", "release", "retreat"}));
@@ -87,7 +88,7 @@ TEST(FingertipRealize, OneFingerOfTheHandMovesWhileTheOtherHolds) {
   const robot::Robot& robot = wam_tips();
   const Realization result = realize(given.problem, plan, robot, t42(), robot.state("home"));
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, plan, robot, t42(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, plan, robot, t42(), result)), "");
 }
 
 TEST(FingertipRealize, SameSeedSameMotion) {
@@ -111,7 +112,7 @@ TEST(FingertipRealize, ShorterStepsWhereAskedFor) {
   const auto result = realize(given.problem, given.plan, two_arms(), two_tips(), aside(), options);
   ASSERT_TRUE(result) << result.reason;
   EXPECT_LE(longest_step(result), 0.01 + 1e-12);
-  EXPECT_EQ(faults(check(given.problem, given.plan, two_arms(), two_tips(), result, options)), "");
+  EXPECT_EQ(joined(check(given.problem, given.plan, two_arms(), two_tips(), result, options)), "");
 }
 
 TEST(FingertipRealize, EverySeedGivesAMotionThatHolds) {
@@ -122,7 +123,7 @@ TEST(FingertipRealize, EverySeedGivesAMotionThatHolds) {
     const auto result =
         realize(given.problem, given.plan, two_arms(), two_tips(), aside(), {}, budget);
     ASSERT_TRUE(result) << seed << ": " << result.reason;
-    EXPECT_EQ(faults(check(given.problem, given.plan, two_arms(), two_tips(), result)), "");
+    EXPECT_EQ(joined(check(given.problem, given.plan, two_arms(), two_tips(), result)), "");
   }
 }
 
@@ -185,7 +186,7 @@ TEST(FingertipRealize, WhatThePlannerFindsForABlock) {
   const robot::Robot& robot = wam_tips();
   const auto result = realize(given.problem, found, robot, t42(), robot.state("home"));
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, found, robot, t42(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, found, robot, t42(), result)), "");
   EXPECT_LT(result.segments[2].scrub, 1e-3);  // a pinch: the block turns between the fingers
 }
 
@@ -208,10 +209,10 @@ TEST(FingertipRealize, PlansThatFitTheHandsOpening) {
   const Plan narrow = plan(given.problem);
   ASSERT_TRUE(narrow) << narrow.reason;
   EXPECT_GE(narrow.cost, wide.cost);
-  EXPECT_EQ(faults(check(given.problem, narrow)), "");
+  EXPECT_EQ(joined(check(given.problem, narrow)), "");
   const auto result = realize(given.problem, narrow, robot, t42(), robot.state("home"));
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, narrow, robot, t42(), result)), "");
+  EXPECT_EQ(joined(check(given.problem, narrow, robot, t42(), result)), "");
 }
 
 TEST(FingertipRealize, OneFingerPushesAndTheOtherArmStandsStill) {
@@ -223,7 +224,7 @@ TEST(FingertipRealize, OneFingerPushesAndTheOtherArmStandsStill) {
   const Carrier carrier{{"left_tip"}, {{"left_3"}}};
   const auto result = realize(given.problem, plan, two_arms(), carrier, aside());
   ASSERT_TRUE(result) << result.reason;
-  EXPECT_EQ(faults(check(given.problem, plan, two_arms(), carrier, result)), "");
+  EXPECT_EQ(joined(check(given.problem, plan, two_arms(), carrier, result)), "");
   for (const JointSegment& segment : result.segments) {
     for (const VectorXd& q : segment.positions) EXPECT_EQ(q.tail(3), aside().tail(3));
   }

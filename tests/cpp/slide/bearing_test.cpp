@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "slide/problems.hpp"
 
 namespace graspless::slide {
@@ -124,11 +125,7 @@ TEST(SlideBearing, AnObjectTooHeavyForTheFingersIsWarnedOf) {
   EXPECT_TRUE(plan.warnings.empty());
   EXPECT_TRUE(check(problem, plan).empty());
 
-  const auto faults = [&] {
-    std::string all;
-    for (const std::string& fault : check(problem, plan)) all += fault + "\n";
-    return all;
-  };
+  const auto faults = [&] { return joined(check(problem, plan)); };
   const std::string missing = "the plan lacks this one: the hand may lose the object";
   problem.object = problem.object.with_mass(0.99 * most);
   EXPECT_EQ(faults().find(missing), std::string::npos) << faults();

@@ -6,6 +6,7 @@
 
 #include "graspless/robot/ik.hpp"
 
+#include "complaint.hpp"
 #include "slide/placement.hpp"
 #include "slide/problems.hpp"
 
@@ -23,8 +24,7 @@ class Check : public ::testing::Test {
     throw std::logic_error(name);
   }
   void expect_fault(const std::string& words, const Options& options = {}) {
-    std::string all;
-    for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
+    const std::string all = joined(check(problem_, plan_, options));
     EXPECT_NE(all.find(words), std::string::npos) << "faults found:\n" << all;
   }
 

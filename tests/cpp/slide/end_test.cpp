@@ -25,18 +25,12 @@ std::vector<std::string> segments_of(const Plan& plan) {
   return found;
 }
 
-std::string text_of(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
-}
-
 TEST(End, TheObjectIsLeftWhereItShallLie) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const Problem problem = sticking_out(0.3 * static_cast<double>(seed));
     const Plan found = plan(problem, {}, seeded(seed));
     ASSERT_TRUE(found) << "seed " << seed << ": " << found.reason;
-    EXPECT_EQ(text_of(check(problem, found)), "") << "seed " << seed;
+    EXPECT_EQ(joined(check(problem, found)), "") << "seed " << seed;
     EXPECT_TRUE(found.X_WO_goal.isApprox(*problem.X_WO_end, 1e-4));
     EXPECT_EQ(segments_of(found), (std::vector<std::string>{"approach", "press", "slide", "lift"}));
   }
@@ -69,7 +63,7 @@ TEST(End, AnInterruptedOneGoesOn) {
   const Interruption at{slide.positions[row], moved, found.X_WO_goal};
   const Plan rest = resume(problem, at, {}, seeded(1));
   ASSERT_TRUE(rest) << rest.reason;
-  EXPECT_EQ(text_of(check(problem, rest)), "");
+  EXPECT_EQ(joined(check(problem, rest)), "");
   EXPECT_TRUE(rest.X_WO_goal.isApprox(*problem.X_WO_end, 1e-4));
 }
 
@@ -92,11 +86,11 @@ TEST(End, CheckFindsAnotherPlace) {
   const Plan found = plan(problem, {}, seeded(1));
   ASSERT_TRUE(found) << found.reason;
   problem.X_WO_end->pretranslate(Eigen::Vector3d(0.002, 0, 0));
-  EXPECT_NE(text_of(check(problem, found)).find("the object is not at its end"), std::string::npos);
+  EXPECT_NE(joined(check(problem, found)).find("the object is not at its end"), std::string::npos);
   problem.X_WO_end = sticking_out(0.81).X_WO_end;
-  EXPECT_NE(text_of(check(problem, found)).find("the object is not at its end"), std::string::npos);
+  EXPECT_NE(joined(check(problem, found)).find("the object is not at its end"), std::string::npos);
   problem.X_WO_end.reset();
-  EXPECT_NE(text_of(check(problem, found)).find("segments are not"), std::string::npos);
+  EXPECT_NE(joined(check(problem, found)).find("segments are not"), std::string::npos);
 }
 
 TEST(End, CheckFindsAPadThatMaySlip) {
@@ -104,8 +98,7 @@ TEST(End, CheckFindsAPadThatMaySlip) {
   const Plan found = plan(problem, {}, seeded(1));
   ASSERT_TRUE(found) << found.reason;
   problem.hand.pad_friction = 0.15;
-  EXPECT_NE(text_of(check(problem, found)).find("friction may leave the object"),
-            std::string::npos);
+  EXPECT_NE(joined(check(problem, found)).find("friction may leave the object"), std::string::npos);
 }
 
 TEST(End, AnObstacleThereIsAReason) {

@@ -18,12 +18,6 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-std::string listed(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
-}
-
 /// A solved plan of the simple problem, the same for all tests.
 const Plan& whole() {
   static const Plan found = plan(simple_problem(), {}, seeded(1));
@@ -69,7 +63,7 @@ TEST(Resume, GoesOnFromEveryRowOfAnUndisturbedSlide) {
         const Interruption at = at_row(plan, row);
         const Plan rest = resume(problem, at, {}, seeded(seed));
         ASSERT_TRUE(rest) << rest.reason << " at row " << row << " of " << rows;
-        EXPECT_EQ(listed(check(problem, rest)), "");
+        EXPECT_EQ(joined(check(problem, rest)), "");
         EXPECT_EQ(rest.segments.front().name, "slide");
         EXPECT_EQ(rest.segments.front().positions.front(), at.q);
         EXPECT_TRUE(rest.segments.front().object_poses.front().isApprox(at.X_WO, 1e-9));
@@ -99,7 +93,7 @@ TEST(Resume, TakesAnotherGoalWhereTheFormerOneIsBlocked) {
     problem.obstacles = {{"block", {block}, outside}};
     const Plan rest = resume(problem, at_row(first, 2), {}, seeded(3));
     ASSERT_TRUE(rest) << rest.reason;
-    EXPECT_EQ(listed(check(problem, rest)), "");
+    EXPECT_EQ(joined(check(problem, rest)), "");
     EXPECT_FALSE(rest.X_WO_goal.isApprox(first.X_WO_goal, 1e-3));
     const auto edge_of = [&](const Plan& plan) {
       return problem.support.polygon().nearest_edge(plan.X_WO_goal.translation().head<2>()).a;
@@ -149,7 +143,7 @@ TEST(Resume, FollowsTheMeasuredObject) {
     }
     ASSERT_TRUE(rest) << rest.reason;
     ++solved;
-    EXPECT_EQ(listed(check(problem, rest)), "") << i;
+    EXPECT_EQ(joined(check(problem, rest)), "") << i;
     const Eigen::Isometry3d& first = rest.segments.front().object_poses.front();
     const Eigen::Vector3d com = problem.object.com();
     EXPECT_LT((first * com - at.X_WO * com).head<2>().norm(), 1e-9);
@@ -172,7 +166,7 @@ TEST(Resume, TakesMeasuredJointsToTheNearestThatPress) {
       EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
       continue;
     }
-    EXPECT_EQ(listed(check(problem, rest)), "") << i;
+    EXPECT_EQ(joined(check(problem, rest)), "") << i;
     EXPECT_LE(problem.robot.step(at.q, rest.segments.front().positions.front()), kMaxCorrection);
   }
 }
@@ -186,7 +180,7 @@ TEST(Resume, RefusesJointsFarFromTheContact) {
       at.q[joint] += angle;
       const Plan rest = resume(problem, at, {}, seeded(1));
       if (rest) {
-        EXPECT_EQ(listed(check(problem, rest)), "") << joint;
+        EXPECT_EQ(joined(check(problem, rest)), "") << joint;
       } else {
         EXPECT_EQ(rest.status, Status::contact_lost) << rest.reason;
         far += rest.reason.find("from the nearest configuration") < 200 ? 1 : 0;
@@ -207,9 +201,9 @@ void expect_goes_on(const Problem& problem, std::uint64_t seed) {
   const Plan rest = resume(problem, at, options, seeded(seed)),
              anew = restart(problem, at, options, seeded(seed));
   ASSERT_TRUE(rest) << rest.reason;
-  EXPECT_EQ(listed(check(problem, rest, options)), "");
+  EXPECT_EQ(joined(check(problem, rest, options)), "");
   ASSERT_TRUE(anew) << anew.reason;
-  EXPECT_EQ(listed(check(problem, anew, options)), "");
+  EXPECT_EQ(joined(check(problem, anew, options)), "");
 }
 
 TEST(Resume, WorksWithEveryFingerModel) {
@@ -310,7 +304,7 @@ TEST(Restart, LiftsOffAndBeginsAnewWhereTheContactIsLost) {
     if (!resume(problem, at, {}, seeded(1, 1))) ++lost;
     const Plan anew = restart(problem, at, {}, seeded(1));
     ASSERT_TRUE(anew) << anew.reason;
-    EXPECT_EQ(listed(check(problem, anew)), "") << x;
+    EXPECT_EQ(joined(check(problem, anew)), "") << x;
     ASSERT_EQ(anew.segments.size(), 8U);
     EXPECT_EQ(anew.segments.front().name, "retreat");
     EXPECT_EQ(anew.segments.front().positions.front(), at.q);
@@ -325,7 +319,7 @@ TEST(Restart, BeginsAboveTheObjectToo) {
   for (const Eigen::VectorXd& q : {problem.q_home, lift.back(), lift[lift.size() / 2]}) {
     const Plan anew = restart(problem, {q, midway().X_WO, {}}, {}, seeded(2));
     ASSERT_TRUE(anew) << anew.reason;
-    EXPECT_EQ(listed(check(problem, anew)), "");
+    EXPECT_EQ(joined(check(problem, anew)), "");
   }
 }
 
@@ -367,14 +361,14 @@ TEST(Restart, CheckFindsARetreatThatDragsTheObject) {
   const Problem problem = simple_problem();
   const Plan good = restart(problem, midway(), {}, seeded(1));
   ASSERT_TRUE(good) << good.reason;
-  EXPECT_EQ(listed(check(problem, good)), "");
+  EXPECT_EQ(joined(check(problem, good)), "");
   Plan edited = good;
   Segment& retreat = edited.segments.front();
   for (std::size_t i = 1; i + 1 < retreat.positions.size(); ++i) retreat.positions[i][0] += 0.01;
-  EXPECT_NE(listed(check(problem, edited)).find("the contact moves"), std::string::npos);
+  EXPECT_NE(joined(check(problem, edited)).find("the contact moves"), std::string::npos);
   edited = good;
   edited.segments.erase(edited.segments.begin());
-  EXPECT_NE(listed(check(problem, edited)).find("segments are not slide"), std::string::npos);
+  EXPECT_NE(joined(check(problem, edited)).find("segments are not slide"), std::string::npos);
 }
 
 TEST(Resume, RefusesWhatIsNoState) {
@@ -428,7 +422,7 @@ TEST(Resume, WorksWithAlgorithmOneAsWritten) {
       rest = resume(problem, midway(first), options, budget);
     }
     ASSERT_TRUE(rest) << rest.reason;
-    EXPECT_EQ(listed(check(problem, rest, options)), "");
+    EXPECT_EQ(joined(check(problem, rest, options)), "");
   }
 }
 
@@ -439,7 +433,7 @@ TEST(Resume, CheckFindsWhatWasEdited) {
   const auto faults_after = [&](const auto& edit) {
     Plan edited = good;
     edit(edited);
-    return listed(check(problem, edited));
+    return joined(check(problem, edited));
   };
   EXPECT_EQ(faults_after([](Plan&) {}), "");
   const auto has = [](const std::string& faults, const std::string& what) {

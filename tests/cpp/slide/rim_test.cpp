@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "slide/friction/course.hpp"
 #include "slide/placement.hpp"
 #include "slide/problems.hpp"
@@ -19,12 +20,6 @@ namespace graspless::slide {
 namespace {
 
 using Eigen::Vector2d;
-
-std::string told_by(const Problem& problem, const Plan& plan, const Options& options = {}) {
-  std::string all;
-  for (const std::string& fault : check(problem, plan, options)) all += fault + "\n";
-  return all;
-}
 
 /// Options of a planner that ignores lag.
 Options of_any_lag() {
@@ -117,13 +112,13 @@ TEST(Rim, AHollowObjectIsNotSlidOverACorner) {
     ASSERT_TRUE(over) << over.reason;
     const Planar goal = planar(flat.support.X_WS().inverse() * over.X_WO_goal);
     const bool tips = least_reach(flat, goal, com_foot(flat, goal)) < 0.006;
-    const std::string told = told_by(hollow, over);
+    const std::string told = joined(check(hollow, over));
     EXPECT_EQ(told.find("resting on its rim alone") != std::string::npos, tips) << told;
     corners += tips;
     if (seed > 8) continue;
     const Plan safe = plan(hollow, {}, seeded(seed));
     ASSERT_TRUE(safe) << safe.reason;
-    EXPECT_EQ(told_by(hollow, safe), "");
+    EXPECT_EQ(joined(check(hollow, safe)), "");
   }
   EXPECT_GT(corners, 0);
 }
@@ -143,14 +138,14 @@ TEST(Rim, NoWorldEndsWithTheObjectTippingOnItsRim) {
     for (const Planar& end : course(hollow, bold, pressed_rows(hollow, over)).ends)
       least = std::min(least, least_reach(hollow, end, com_foot(hollow, end)));
     if (least > -0.006 && least < 0) continue;
-    const std::string told = told_by(hollow, over, bold);
+    const std::string told = joined(check(hollow, over, bold));
     EXPECT_EQ(told.find("friction may leave the object tipping") != std::string::npos, least < 0)
         << seed << ", " << least << "\n"
         << told;
     tips += least < 0;
     if (seed > 5) continue;
     if (const Plan safe = plan(hollow, bold, seeded(seed))) {
-      EXPECT_EQ(told_by(hollow, safe, bold), "") << seed;
+      EXPECT_EQ(joined(check(hollow, safe, bold)), "") << seed;
     }
   }
   EXPECT_GT(tips, 0);
@@ -239,7 +234,7 @@ TEST(Rim, APlanKeepsTheLagOfTheObjectSmall) {
     if (const Plan kept = plan(problem, {}, seeded(seed))) {
       EXPECT_LE(lag(kept).angle, kMostLag.angle + 1e-9);
       EXPECT_LE(lag(kept).position, kMostLag.position + 1e-9);
-      EXPECT_EQ(told_by(problem, kept), "");
+      EXPECT_EQ(joined(check(problem, kept)), "");
     }
     const Plan loose = plan(problem, any, seeded(seed));
     ASSERT_TRUE(loose);
@@ -247,7 +242,7 @@ TEST(Rim, APlanKeepsTheLagOfTheObjectSmall) {
     const bool is_large = of_loose.angle > 1.05 * kMostLag.angle;
     large += is_large;
     if (is_large) {
-      EXPECT_NE(told_by(problem, loose).find("friction may leave the object turned by"),
+      EXPECT_NE(joined(check(problem, loose)).find("friction may leave the object turned by"),
                 std::string::npos);
     }
   }
@@ -263,7 +258,7 @@ TEST(Rim, ADeepGraspIsNearerToTheEdge) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const Plan found = plan(problem, deep, seeded(seed));
     ASSERT_TRUE(found) << found.reason;
-    EXPECT_EQ(told_by(problem, found, deep), "");
+    EXPECT_EQ(joined(check(problem, found, deep)), "");
     const Placement place =
         placement(problem, deep, planar(problem.support.X_WS().inverse() * found.X_WO_goal));
     const auto off_edge = [&](const Eigen::Vector3d& p_W) {
@@ -278,7 +273,7 @@ TEST(Rim, ADeepGraspIsNearerToTheEdge) {
     ++deeper;
     Options paper = deep;
     paper.deep_grasp = false;
-    EXPECT_NE(told_by(problem, found, paper).find("not at the middle of the part"),
+    EXPECT_NE(joined(check(problem, found, paper)).find("not at the middle of the part"),
               std::string::npos);
   }
   EXPECT_GE(deeper, 3);

@@ -18,12 +18,6 @@
 namespace graspless::slide {
 namespace {
 
-std::string joined(const std::vector<std::string>& faults) {
-  std::string all;
-  for (const std::string& fault : faults) all += fault + "\n";
-  return all;
-}
-
 void expect_holds(const Problem& problem, const Options& options, std::uint64_t seed) {
   const Plan found = plan(problem, options, seeded(seed));
   ASSERT_TRUE(found) << "seed " << seed << ": " << found.reason;

@@ -12,6 +12,7 @@
 
 #include "graspless/slide/torsion.hpp"
 
+#include "complaint.hpp"
 #include "slide/friction/drag.hpp"
 #include "slide/friction/pressed.hpp"
 #include "slide/problems.hpp"
@@ -304,22 +305,15 @@ TEST(Tube, AWristThatGivesWayTrails) {
   EXPECT_GT(*std::max_element(plan.tube.position.begin(), plan.tube.position.end()), trail);
 }
 
-/// The faults of check() in one text.
-std::string told_by_check(const Problem& problem, const Plan& plan, const Options& options = {}) {
-  std::string all;
-  for (const std::string& fault : check(problem, plan, options)) all += fault + "\n";
-  return all;
-}
-
 TEST(Tube, CheckRefusesOneThatIsTooNarrowOrNone) {
   const Problem problem = simple_problem();
   const Plan good = slide::plan(problem, {}, seeded(1));
   ASSERT_TRUE(good);
-  EXPECT_EQ(told_by_check(problem, good), "");
+  EXPECT_EQ(joined(check(problem, good)), "");
   const auto refused = [&](const auto& edit) {
     Plan plan = good;
     edit(plan.tube);
-    return told_by_check(problem, plan);
+    return joined(check(problem, plan));
   };
   const std::string shape = "tube: must have a bound of at least 0 for each row of the slide";
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -344,10 +338,10 @@ TEST(Tube, CheckRefusesAnEndThatFrictionDoesNotReach) {
   ASSERT_TRUE(plan);
   plan.tube = {};
   problem.object = problem.object.with_mass(40 * problem.object.mass());
-  EXPECT_NE(told_by_check(problem, plan).find("tube: friction may leave"), std::string::npos);
+  EXPECT_NE(joined(check(problem, plan)).find("tube: friction may leave"), std::string::npos);
   Options any;
   any.refuse_lag = false;
-  EXPECT_EQ(told_by_check(problem, plan, any).find("tube:"), std::string::npos);
+  EXPECT_EQ(joined(check(problem, plan, any)).find("tube:"), std::string::npos);
 }
 
 TEST(Tube, WhatNoPadCanDragIsRefusedAtOnceWithTheNumber) {
@@ -374,7 +368,7 @@ TEST(Tube, HeavyObjectsArePressedWhereThePadHoldsThem) {
     const Plan plan = slide::plan(problem, {}, seeded(seed, 5));
     if (!plan) continue;
     ++solved;
-    EXPECT_EQ(told_by_check(problem, plan), "");
+    EXPECT_EQ(joined(check(problem, plan)), "");
     EXPECT_LE(drag_load(problem, plan), 1.3);
   }
   EXPECT_GE(solved, 4);

@@ -30,9 +30,7 @@ class ClaspCheck : public ::testing::Test {
   ClaspCheck() : problem_(ring_problem()), plan_(good_plan()) {}
 
   std::string faults(const Options& options = {}) {
-    std::string all;
-    for (const std::string& fault : check(problem_, plan_, options)) all += fault + "\n";
-    return all;
+    return joined(check(problem_, plan_, options));
   }
   void expect_fault(const std::string& words, const Options& options = {}) {
     const std::string all = faults(options);

@@ -14,6 +14,8 @@
 #include "graspless/mechanics/contact_patch.hpp"
 #include "graspless/mechanics/withstands.hpp"
 
+#include "complaint.hpp"
+
 /// Plans made by hand, without any search, for check() to look at.
 namespace graspless::fingertip {
 
@@ -177,9 +179,7 @@ class FingertipCheck : public ::testing::Test {
   }
 
   std::string faults(const Problem& problem, const Plan& plan, const Options& options) const {
-    std::string all;
-    for (const std::string& fault : check(problem, plan, options)) all += fault + "\n";
-    return all;
+    return joined(check(problem, plan, options));
   }
   void expect_fault(const std::string& words) const {
     const std::string all = faults(problem_, plan_, options_);
