@@ -130,16 +130,6 @@ CollisionShape make_surface(const geometry::Mesh& mesh, const Eigen::Matrix3Xd& 
   return shape;
 }
 
-/// False if the vertices of a mesh lie in a plane.
-bool spans_volume(const geometry::Mesh& mesh) {
-  try {
-    geometry::validate(geometry::Convex{mesh.vertices}, "mesh");
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 CollisionShape make(const geometry::Box& box) {
   const Core core{box.size / 2, 0, false};
   return make_shape([box] { return std::make_shared<fcl::Boxd>(box.size); }, box_tree(core), core);
@@ -163,7 +153,7 @@ CollisionShape make(const geometry::Convex& convex) {
 }
 
 CollisionShape make_mesh(const geometry::Mesh& mesh) {
-  if (!spans_volume(mesh)) return make_surface(mesh, mesh.vertices);
+  if (!geometry::spans_volume(mesh.vertices)) return make_surface(mesh, mesh.vertices);
   const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
   if (geometry::is_convex(mesh, hull)) return make_convex(hull, true);
   return make_surface(mesh, hull.vertices);

@@ -14,11 +14,15 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
+#include <Eigen/Eigenvalues>
 
 #include "graspless/watch.hpp"
 
 namespace graspless::geometry {
 namespace {
+
+// A hull thinner than this fraction of its width spans no volume that a collision checker can use.
+constexpr double kMinThinness = 1e-9;
 
 // Exact predicates give the correct hull of coplanar and nearly coplanar points. No point is
 // constructed, so inexact constructions suffice.
@@ -210,6 +214,17 @@ std::vector<Side> prism_sides(const Eigen::Matrix3Xd& points) {
 }
 
 }  // namespace
+
+bool spans_volume(const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean().eval();
+  const double width = centred.cwiseAbs().maxCoeff();
+  if (points.cols() < 4 || !(width > 0)) return false;
+  // Normalised by size, so that squares of tiny lengths do not underflow.
+  const Eigen::Matrix3d moments = (centred / width) * (centred / width).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
+  const Eigen::VectorXd along = (axes.eigenvectors().col(0).transpose() * centred).transpose();
+  return along.maxCoeff() - along.minCoeff() > kMinThinness * width;
+}
 
 Mesh convex_hull(const Eigen::Matrix3Xd& points) {
   if (const std::vector<Side> sides = prism_sides(points); !sides.empty()) return canonical(sides);

@@ -6,8 +6,12 @@
 
 namespace graspless::geometry {
 
+/// True if the smallest extent of the points in any direction is not negligible against the
+/// largest.
+bool spans_volume(const Eigen::Matrix3Xd& points);
+
 /// Boundary of the convex hull of points (3 x n) [m]: its corners, and triangles that are
-/// counter-clockwise seen from outside. The points must span a volume (see validate()).
+/// counter-clockwise seen from outside. The points must span a volume.
 Mesh convex_hull(const Eigen::Matrix3Xd& points);
 
 /// Corners of the convex hull of points (2 x n) [m], counter-clockwise.

@@ -6,15 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <Eigen/Eigenvalues>
-
+#include "geometry/convex_hull.hpp"
 #include "geometry/require_points.hpp"
 
 namespace graspless::geometry {
 namespace {
-
-// A hull thinner than this fraction of its width spans no volume that a collision checker can use.
-constexpr double kMinThinness = 1e-9;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& fault) {
   throw std::invalid_argument(what + " " + fault);
@@ -25,19 +21,6 @@ void require_length(double value, const std::string& what) {
   std::ostringstream fault;
   fault << "must be in [" << kMinLength << ", " << kMaxLength << "] m, not " << value;
   refuse(what, fault.str());
-}
-
-/// True if the smallest extent of the points in any direction is not negligible against the
-/// largest.
-bool spans_volume(const Eigen::Matrix3Xd& vertices) {
-  const Eigen::Matrix3Xd centred = vertices.colwise() - vertices.rowwise().mean().eval();
-  const double width = centred.cwiseAbs().maxCoeff();
-  if (!(width > 0)) return false;
-  // Normalised by size, so that squares of tiny lengths do not underflow.
-  const Eigen::Matrix3d moments = (centred / width) * (centred / width).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);
-  const Eigen::VectorXd along = (axes.eigenvectors().col(0).transpose() * centred).transpose();
-  return along.maxCoeff() - along.minCoeff() > kMinThinness * width;
 }
 
 void check(const Box& box, const std::string& what) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <variant>
 
 #include "graspless/collision/clearance.hpp"
@@ -107,17 +106,8 @@ CoveredShape cover(const geometry::Convex& convex, MeshInside) {
   return cover_hull(geometry::convex_hull(convex.vertices));
 }
 
-bool spans_volume(const geometry::Mesh& mesh) {
-  try {
-    geometry::validate(geometry::Convex{mesh.vertices}, "mesh");
-    return true;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
 CoveredShape cover(const geometry::Mesh& mesh, MeshInside inside) {
-  if (spans_volume(mesh)) {
+  if (geometry::spans_volume(mesh.vertices)) {
     const geometry::Mesh hull = geometry::convex_hull(mesh.vertices);
     if (inside == MeshInside::hull || geometry::is_convex(mesh, hull)) return cover_hull(hull);
   }
