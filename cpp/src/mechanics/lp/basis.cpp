@@ -82,21 +82,20 @@ bool solve_both(const Sparse& A, const LongVector& b, const LongVector& c, LongV
     *x = *y = LongVector(0);
     return true;
   }
-  if (A.rows() <= kDense) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu{Eigen::MatrixXd(A)};
+  const auto solve = [&](auto& lu) {
     *x = refined(A, false, b,
                  [&](const Eigen::VectorXd& r) -> Eigen::VectorXd { return lu.solve(r); });
     *y = refined(A, true, c, [&](const Eigen::VectorXd& r) -> Eigen::VectorXd {
       return lu.transpose().solve(r);
     });
+  };
+  if (A.rows() <= kDense) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu{Eigen::MatrixXd(A)};
+    solve(lu);
   } else {
     Eigen::SparseLU<Sparse> lu(A);
     if (lu.info() != Eigen::Success) return false;
-    *x = refined(A, false, b,
-                 [&](const Eigen::VectorXd& r) -> Eigen::VectorXd { return lu.solve(r); });
-    *y = refined(A, true, c, [&](const Eigen::VectorXd& r) -> Eigen::VectorXd {
-      return lu.transpose().solve(r);
-    });
+    solve(lu);
   }
   return x->cast<double>().allFinite() && y->cast<double>().allFinite();
 }
