@@ -4,10 +4,14 @@
 // An arm of three sliding joints with a parallel gripper, whose right finger mimics the left.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
-#include "graspless/clasp/hand.hpp"
+#include "graspless/clasp/clasp.hpp"
 #include "graspless/robot/robot.hpp"
+
+#include "clasp/ring_problem.hpp"
 
 namespace graspless::clasp {
 
@@ -78,6 +82,22 @@ inline Hand hand_without_palm() {
   hand.fingers = {{"left", {{"left", {0, 0, 0.01}}, {"left", {0, 0.005, 0.075}}}}};
   hand.thumb = {"thumb", {{"right", {0, 0, 0.01}}, {"right", {0, -0.005, 0.075}}}};
   return hand;
+}
+
+/// A ring of 24 cm above the gripper, its lowest part a bar along x between the fingers; `side` is
+/// the displacement across them [m].
+inline Problem ring_in_gripper(double thickness, double side = 0, double above = 0) {
+  const Object ring = Object::from_cloud(
+      "ring", ring_cloud(0.12, thickness, 160, std::max(16, static_cast<int>(800 * thickness))));
+  const robot::Robot robot = parallel_gripper();
+  Problem problem{robot, with_palm_corners(hand_without_palm(), robot),
+                  ring,  Eigen::Isometry3d::Identity(),
+                  {},    robot.state("open"),
+                  {},    {},
+                  {}};
+  problem.X_WO.linear() = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  problem.X_WO.translation() = Eigen::Vector3d(0, side, 1.21 + above);
+  return problem;
 }
 
 }  // namespace graspless::clasp

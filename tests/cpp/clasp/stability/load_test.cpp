@@ -23,23 +23,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A bar of 20 mm along x between the fingers: the lowest part of a ring above the palm.
-Problem bar_between_fingers() {
-  const robot::Robot robot = parallel_gripper();
-  Problem problem{robot,
-                  with_palm_corners(hand_without_palm(), robot),
-                  Object::from_cloud("ring", ring_cloud(0.12, 0.02, 160, 16)),
-                  Eigen::Isometry3d::Identity(),
-                  {},
-                  robot.state("open"),
-                  {},
-                  {},
-                  {}};
-  problem.X_WO.linear() = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitZ()).toRotationMatrix();
-  problem.X_WO.translation() = Vector3d(0, 0, 1.21);
-  return problem;
-}
-
 /// Effort of the hand closed to a gap on each side of the bar [m].
 double effort(const Problem& problem, double torque, double gap = 0.0015) {
   VectorXd q = problem.q_start;
@@ -48,7 +31,7 @@ double effort(const Problem& problem, double torque, double gap = 0.0015) {
 }
 
 TEST(LoadTester, ABarThatTurnsPushesTheFingersApartAtTheirEdges) {
-  const Problem problem = bar_between_fingers();
+  const Problem problem = ring_in_gripper(0.02);
   // The edges are 20 mm apart. Each finger opens by the same length, against 50 N. Before the bar
   // reaches the edges, it touches further inside, where its lever is shorter.
   const double expected = kSudden * 2 * 0.2 / 0.02 / 50;
@@ -59,14 +42,14 @@ TEST(LoadTester, ABarThatTurnsPushesTheFingersApartAtTheirEdges) {
 }
 
 TEST(LoadTester, FingersFarFromTheBarAreReachedAllTheSame) {
-  const Problem problem = bar_between_fingers();
+  const Problem problem = ring_in_gripper(0.02);
   for (const double gap : {0.004, 0.008, 0.012, 0.016, 0.0195}) {
     EXPECT_GT(effort(problem, 1, gap), 0.5) << gap;
   }
 }
 
 TEST(LoadTester, EffortIsInverseToTheLimitsAndProportionalToTheLoad) {
-  Problem problem = bar_between_fingers();
+  Problem problem = ring_in_gripper(0.02);
   VectorXd q = problem.q_start;
   q[problem.robot.joint("slide_left")] = 0.0115;
   const auto of = [&](double force, double torque) {
@@ -88,7 +71,7 @@ TEST(LoadTester, EffortIsInverseToTheLimitsAndProportionalToTheLoad) {
 }
 
 TEST(LoadTester, EndsAtTheFirstLoadThatIsTooLarge) {
-  const Problem problem = bar_between_fingers();
+  const Problem problem = ring_in_gripper(0.02);
   VectorXd q = problem.q_start;
   q[problem.robot.joint("slide_left")] = 0.0115;
   const LoadTester tester(problem);
@@ -182,7 +165,7 @@ TEST(LoadsW, TurnWithThePalm) {
 }
 
 TEST(RequireEfforts, NamesTheJointWithoutALimit) {
-  Problem problem = bar_between_fingers();
+  Problem problem = ring_in_gripper(0.02);
   problem.robot = parallel_gripper("0");
   EXPECT_EQ(problem.robot.max_effort()[problem.robot.joint("slide_left")],
             std::numeric_limits<double>::infinity());

@@ -24,22 +24,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A ring of 24 cm above the gripper, its lowest point between the fingers; `side` is the
-/// displacement across them [m].
-Problem ring_in_gripper(double thickness, double side = 0, double above = 0) {
-  const Object ring = Object::from_cloud(
-      "ring", ring_cloud(0.12, thickness, 160, std::max(16, static_cast<int>(800 * thickness))));
-  const robot::Robot robot = parallel_gripper();
-  Problem problem{robot, with_palm_corners(hand_without_palm(), robot),
-                  ring,  Eigen::Isometry3d::Identity(),
-                  {},    robot.state("open"),
-                  {},    {},
-                  {}};
-  problem.X_WO.linear() = Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitZ()).toRotationMatrix();
-  problem.X_WO.translation() = Vector3d(0, side, 1.21 + above);
-  return problem;
-}
-
 /// Closed to a gap of half a millimetre on each side of a ring of 20 mm.
 VectorXd closed(const Problem& problem) {
   VectorXd q = problem.q_start;
