@@ -205,11 +205,16 @@ TEST(ForestCBiRRT, RunsInSE2WithOmplsOwnPieces) {
   EXPECT_LE(planner->num_goal_roots(), 2u);
 }
 
-TEST(ForestCBiRRT, SaysWhichEndHasNoRoot) {
+ob::SpaceInformationPtr open_square() {
   auto si = std::make_shared<ob::SpaceInformation>(
       make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
   si->setStateValidityChecker([](const ob::State*) { return true; });
   si->setup();
+  return si;
+}
+
+TEST(ForestCBiRRT, SaysWhichEndHasNoRoot) {
+  const auto si = open_square();
   class Empty : public SampleableRegion {
    public:
     using SampleableRegion::SampleableRegion;
@@ -232,10 +237,7 @@ TEST(ForestCBiRRT, SaysWhichEndHasNoRoot) {
 
 /// Goals are found at once and end all further draws, by Eq. (5); a start is found late.
 TEST(ForestCBiRRT, DrawsForAnEmptyForestHoweverManyRootsTheOtherHas) {
-  auto si = std::make_shared<ob::SpaceInformation>(
-      make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
-  si->setStateValidityChecker([](const ob::State*) { return true; });
-  si->setup();
+  const auto si = open_square();
   class Late : public SampleableRegion {
    public:
     Late(const ob::SpaceInformationPtr& given, double x, int draws)
@@ -321,10 +323,7 @@ class Side : public SampleableRegion {
 };
 
 TEST(ForestCBiRRT, ConnectsTheCheapestPairOfTheFirstStartsFirst) {
-  auto si = std::make_shared<ob::SpaceInformation>(
-      make_box(Eigen::Vector2d(-1, -1), Eigen::Vector2d(1, 1)));
-  si->setStateValidityChecker([](const ob::State*) { return true; });
-  si->setup();
+  const auto si = open_square();
   const auto starts = std::make_shared<Side>(si, -1);
   const auto goals = std::make_shared<Side>(si, 1);
   goals->num_refused = 2;

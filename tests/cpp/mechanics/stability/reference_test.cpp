@@ -120,13 +120,7 @@ TEST(Reference, StabilityIsFiniteWhereClampingContactsLeaveAMotionToFingers) {
 }
 
 TEST(Reference, OpposedFingersJamUnlessOneGivesWay) {
-  ContactSet set;
-  for (const double side : {-1.0, 1.0}) {
-    Finger finger;
-    finger.p_OC = Eigen::Vector3d(side, 0, 0);
-    finger.n_O = Eigen::Vector3d(-side, 0, 0);
-    set.fingers.push_back(finger);
-  }
+  const ContactSet set = pinched();
   EXPECT_FALSE(bounded(set, {kPosition, kPosition}));
   EXPECT_TRUE(bounded(set, {kForce, kPosition}));
   EXPECT_TRUE(bounded(set, {kForce, kForce}));
