@@ -227,8 +227,7 @@ Isometry3d PlaceSearch::object_at(const VectorXd& q) const {
 }
 
 void PlaceSearch::append(const std::string& name, const Path& path, bool held, Plan& plan) const {
-  Segment segment{
-      name, planning::subdivided(path, kPlaceRowStep, problem_.robot.step_weights()), {}};
+  Segment segment{name, planning::subdivided(path, kRowStep, problem_.robot.step_weights()), {}};
   const Isometry3d put =
       plan.segments.empty() ? Isometry3d::Identity() : plan.segments.back().object_poses.back();
   for (const VectorXd& q : segment.positions)

@@ -15,8 +15,7 @@
 
 namespace graspless::carry {
 
-constexpr double kPlaceRowStep = 0.05;  // between rows of a plan, Robot::step() [rad]
-constexpr double kWaypoint = 0.005;     // between poses of straight motions [m]
+constexpr double kWaypoint = 0.005;  // between poses of straight motions [m]
 
 /// Search for a place where the held object can be put down. Places are tried in their order: the
 /// hand comes there, goes straight up from there, opens, and withdraws. A tree is grown to the

@@ -6,6 +6,7 @@
 #include "graspless/watch.hpp"
 
 #include "carry/place_search.hpp"
+#include "carry/search.hpp"
 #include "planning/joints.hpp"
 
 /// Straight motions of the hand, and tests of motions.
@@ -104,7 +105,7 @@ bool PlaceSearch::is_free(const VectorXd& from, const VectorXd& to) {
 double PlaceSearch::checked_step(const VectorXd& from, const VectorXd& to) const {
   const double span = problem_.robot.step(from, to);
   if (span == 0) return options_.resolution;
-  const double rows = std::max(1.0, std::ceil(span / kPlaceRowStep));
+  const double rows = std::max(1.0, std::ceil(span / kRowStep));
   const double pieces = rows * std::max(1.0, std::ceil(span / rows / options_.resolution));
   return span / pieces * (1 + 1e-12);
 }

@@ -12,10 +12,8 @@
 namespace graspless::carry {
 namespace {
 
-constexpr double kMaxJointStep = 0.05;  // largest joint step between rows [rad]
-
 Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path) {
-  Segment segment{"carry", planning::subdivided(path, kMaxJointStep, search.step_weights()), {}};
+  Segment segment{"carry", planning::subdivided(path, kRowStep, search.step_weights()), {}};
   for (const Eigen::VectorXd& q : segment.positions)
     segment.object_poses.push_back(search.object_at(q));
   return segment;

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 constexpr double kJump =
     0.25;  // [rad]; a larger joint step has left the branch of inverse kinematics
 constexpr double kTurnStep = 0.03;   // turn of the object between checked poses [rad]
