@@ -14,20 +14,12 @@
 #include "graspless/robot/ik.hpp"
 
 #include "complaint.hpp"
-#include "paths.hpp"
+#include "robot/robots.hpp"
 
 /// A box in the hands of the WAM and of the KR5, as the tests of carrying need them.
 namespace graspless::carry {
 
-inline const robot::Robot& wam() {
-  static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
-  return robot;
-}
-
-inline const robot::Robot& kr5() {
-  static const auto robot = robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
-  return robot;
-}
+using robot::kr5, robot::wam;
 
 inline Obstacle box(const std::string& name, const Eigen::Vector3d& size,
                     const Eigen::Isometry3d& X_WB) {

@@ -15,8 +15,15 @@
 
 namespace graspless::robot {
 
-inline Robot wam() { return Robot::from_urdf_file(urdf_file("wam_t42.urdf")); }
-inline Robot kr5() { return Robot::from_urdf_file(urdf_file("kr5_t42.urdf")); }
+inline const Robot& wam() {
+  static const auto robot = Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
+  return robot;
+}
+
+inline const Robot& kr5() {
+  static const auto robot = Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
+  return robot;
+}
 
 /// Three revolute joints about skew axes, one that slides, one that turns without end, and two that
 /// follow others: joint "echo" the joint "mirror", which follows "first".

@@ -250,7 +250,7 @@ TEST(UrdfReader, IsTheSameUnderACommaLocale) {
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) {
     if (std::setlocale(LC_ALL, name)) break;  // where there is one
   }
-  const Robot after = wam();
+  const Robot after = Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
   std::setlocale(LC_ALL, "C");
   std::locale::global(old);
   EXPECT_EQ(after.upper(), before.upper());

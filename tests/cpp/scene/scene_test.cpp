@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
-#include "paths.hpp"
+#include "robot/robots.hpp"
 #include "scene/names.hpp"
 
 namespace graspless::scene {
@@ -52,7 +52,6 @@ const char* const kPlanarArm = R"(
 </robot>)";
 
 Robot planar_arm() { return Robot::from_urdf(kPlanarArm, {}); }
-Robot wam() { return Robot::from_urdf_file(urdf_file("wam_t42.urdf")); }
 
 VectorXd vector(std::initializer_list<double> values) {
   VectorXd q(static_cast<Eigen::Index>(values.size()));
@@ -248,7 +247,7 @@ TEST(SceneMotion, WithAnAllowanceIsAsByStepping) {
 }
 
 TEST(SceneMotion, OfTheWamOverATableIsAsByStepping) {
-  const Robot robot = wam();
+  const Robot robot = robot::wam();
   Scene scene(robot);
   scene.add_obstacle("table", {{geometry::Box{{0.7, 0.7, 0.04}}}}, translation(0.65, 0, -0.02));
   scene.add_obstacle("pillar", {{geometry::Capsule{0.03, 1}}}, translation(0.4, 0.4, 0.5));

@@ -12,22 +12,14 @@
 #include "graspless/slide/slide.hpp"
 
 #include "geometry/polygons.hpp"
-#include "paths.hpp"
+#include "robot/robots.hpp"
 
 /// Problems of the paper: its tables in the WAM's base frame (the top in z = 0), its objects.
 namespace graspless::slide {
 
 using geometry::columns;
 
-inline const robot::Robot& wam() {
-  static const auto robot = robot::Robot::from_urdf_file(urdf_file("wam_t42.urdf"));
-  return robot;
-}
-
-inline const robot::Robot& kr5() {
-  static const auto robot = robot::Robot::from_urdf_file(urdf_file("kr5_t42.urdf"));
-  return robot;
-}
+using robot::kr5, robot::wam;
 
 inline geometry::Polygon disc(double radius, int n, const Eigen::Vector2d& center) {
   std::vector<Eigen::Vector2d> v;
