@@ -9,22 +9,21 @@
 #include <string>
 #include <variant>
 
+#include "robot/names.hpp"
+
 namespace graspless::pinch {
 
 using Eigen::Isometry3d, Eigen::Vector3d;
 
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// The shapes of some links.
 LinkShapes shapes_of(const robot::Robot& robot, const std::vector<std::string>& links) {
   LinkShapes found;
   std::copy_if(robot.shapes().begin(), robot.shapes().end(), std::back_inserter(found),
                [&](const robot::LinkShape& shape) {
-                 return contains(links, robot.frame_names()[static_cast<std::size_t>(shape.link)]);
+                 return robot::contains(links,
+                                        robot.frame_names()[static_cast<std::size_t>(shape.link)]);
                });
   return found;
 }
@@ -125,7 +124,7 @@ Jaw::Jaw(const slide::Problem& problem, const Options& options)
     : problem_(problem), depth_(options.depth) {
   std::vector<std::string> others;  // links of the other finger
   for (const std::string& link : problem.hand.fingers) {
-    if (!contains(problem.hand.sliding_finger, link)) others.push_back(link);
+    if (!robot::contains(problem.hand.sliding_finger, link)) others.push_back(link);
   }
   own_ = shapes_of(problem.robot, problem.hand.sliding_finger);
   others_ = shapes_of(problem.robot, others);

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Reasons why a configuration will not do, and what to change.
-#include <algorithm>
-
 #include "realize/hand.hpp"
+#include "robot/names.hpp"
 #include "text.hpp"
 
 namespace graspless::realize {
@@ -16,7 +15,7 @@ std::string describe_collision(Hand& hand, const Eigen::VectorXd& q) {
   std::string change = "another pose of the object may help";
   if (a == object || b == object) {
     change = "a hand that opens wider, or a narrower object, leaves room";
-  } else if (std::find(links.begin(), links.end(), b) == links.end()) {
+  } else if (!robot::contains(links, b)) {
     change = "farther from '" + b + "', the object leaves room";
   }
   return "'" + a + "' touches '" + b + "': " + change;

@@ -9,6 +9,7 @@
 #include "robot/closed_form.hpp"
 #include "robot/damped_least_squares.hpp"
 #include "robot/model.hpp"
+#include "robot/names.hpp"
 #include "robot/wraps.hpp"
 
 namespace graspless::robot {
@@ -29,10 +30,6 @@ using Eigen::Isometry3d;
 using Eigen::VectorXd;
 
 constexpr double kSame = 1e-4;  // solutions this close in every joint count as equal [rad or m]
-
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
 
 Split split(const Robot::Model& model, int frame, const std::vector<int>& group) {
   Split split;

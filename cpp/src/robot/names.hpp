@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace graspless::robot {
+
+template <typename Value>
+bool contains(const std::vector<Value>& values, const Value& value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
 
 /// Index of `name` among `names`; throws std::invalid_argument that lists them all.
 int index_of(const std::string& name, const std::vector<std::string>& names,

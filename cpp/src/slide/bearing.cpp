@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "robot/names.hpp"
 #include "robot/rates.hpp"
 #include "slide/friction/pressed.hpp"
 
@@ -93,8 +94,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
   const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(palm)];
   std::vector<int> sliding, others;
   for (const std::string& name : problem.hand.fingers) {
-    const std::vector<std::string>& links = problem.hand.sliding_finger;
-    const bool slides = std::find(links.begin(), links.end(), name) != links.end();
+    const bool slides = robot::contains(problem.hand.sliding_finger, name);
     (slides ? sliding : others).push_back(robot.frame(name));
   }
   if (sliding.empty() || others.empty()) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "graspless/planning/free_path.hpp"
 
+#include "robot/names.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/rows.hpp"
 
@@ -19,10 +20,8 @@ int pieces(double length, double step) {
 }
 
 bool is_finger_on_object(const Hand& hand, const std::string& a, const std::string& b) {
-  const auto is_finger = [&](const std::string& name) {
-    return std::find(hand.fingers.begin(), hand.fingers.end(), name) != hand.fingers.end();
-  };
-  return (a == kObjectBody && is_finger(b)) || (b == kObjectBody && is_finger(a));
+  return (a == kObjectBody && robot::contains(hand.fingers, b)) ||
+         (b == kObjectBody && robot::contains(hand.fingers, a));
 }
 
 bool HandMotion::is_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {

@@ -13,6 +13,7 @@
 
 #include "collision/overlap.hpp"
 #include "robot/moved_links.hpp"
+#include "robot/names.hpp"
 #include "slide/placement.hpp"
 #include "slide/task/hand_frames.hpp"
 
@@ -145,13 +146,11 @@ bool is_home_free(Query& query, Plan& plan) {
     const auto [a, b] = query.free.collision(q);
     if (a.empty()) continue;
     const std::vector<std::string>& links = query.problem.robot.frame_names();
-    const auto is_link = [&](const std::string& name) {
-      return std::find(links.begin(), links.end(), name) != links.end();
-    };
-    plan.reason = "at q_home, '" + a + "' touches '" + b + "', " +
-                  depth(world, {world.body(a), world.body(b)}) +
-                  (is_link(a) || is_link(b) ? "; choose another q_home (robot.home of a task)"
-                                            : "; move one of them");
+    const bool is_link = robot::contains(links, a) || robot::contains(links, b);
+    plan.reason =
+        "at q_home, '" + a + "' touches '" + b + "', " +
+        depth(world, {world.body(a), world.body(b)}) +
+        (is_link ? "; choose another q_home (robot.home of a task)" : "; move one of them");
     return false;
   }
   if (query.is_motion_free(home, open)) return true;

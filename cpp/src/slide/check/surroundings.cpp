@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/slide/surroundings.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "graspless/scene/scene.hpp"
 #include "graspless/slide/resume.hpp"
 
+#include "robot/names.hpp"
 #include "slide/arm.hpp"
 #include "slide/check/examination.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 void require_segment(const std::string& name) {
   const auto& names = segment_names();
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  if (robot::contains(names, name)) return;
   std::string choices;
   for (const std::string& known : names) choices += (choices.empty() ? "" : ", ") + known;
   throw std::invalid_argument("segment '" + name + "' is none of " + choices);

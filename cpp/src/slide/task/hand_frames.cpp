@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "robot/names.hpp"
 #include "slide/contact.hpp"
 #include "slide/refusals.hpp"
 #include "text.hpp"
@@ -20,10 +21,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kAlong = 0.7;  // cosine: within about 45 degrees
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// Largest coordinate of a link's shape along a unit direction of A, from A's origin [m].
 double extent(const robot::LinkShape& shape, const Eigen::Isometry3d& X_AL,
@@ -53,7 +50,7 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
   int count = 0;
   for (const robot::LinkShape& shape : robot.shapes()) {
     const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
-    if (!contains(links, link)) continue;
+    if (!robot::contains(links, link)) continue;
     sum += middle_of(shape, X_WL[static_cast<std::size_t>(shape.link)]);
     ++count;
   }
@@ -72,7 +69,7 @@ void require_frame(bool holds, const std::string& field, const std::string& fram
 std::vector<std::string> other_links(const Hand& hand) {
   std::vector<std::string> others;
   for (const std::string& link : hand.fingers) {
-    if (!contains(hand.sliding_finger, link)) others.push_back(link);
+    if (!robot::contains(hand.sliding_finger, link)) others.push_back(link);
   }
   return others;
 }
@@ -92,7 +89,7 @@ std::pair<double, double> interval(const Problem& problem, const Eigen::VectorXd
                                   -std::numeric_limits<double>::infinity()};
   for (const robot::LinkShape& shape : problem.robot.shapes()) {
     const auto link = static_cast<std::size_t>(shape.link);
-    if (!contains(links, problem.robot.frame_names()[link])) continue;
+    if (!robot::contains(links, problem.robot.frame_names()[link])) continue;
     found.first = std::min(found.first, -extent(shape, X_WL[link], -direction));
     found.second = std::max(found.second, extent(shape, X_WL[link], direction));
   }
@@ -108,7 +105,7 @@ FingerProfile::FingerProfile(const Problem& problem) {
   const auto F = static_cast<std::size_t>(robot.frame(problem.hand.fingertip));
   for (const robot::LinkShape& shape : robot.shapes()) {
     const auto link = static_cast<std::size_t>(shape.link);
-    if (!contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
+    if (!robot::contains(problem.hand.sliding_finger, robot.frame_names()[link])) continue;
     shapes_.push_back(shape.placed);
     shapes_.back().X_BG = X_WL[F].inverse() * X_WL[link] * shape.placed.X_BG;
   }
