@@ -186,26 +186,13 @@ class Examination {
       fault("plan", "X_WH_grasp is not where the hand ends");
   }
 
-  /// Interval that the shapes of links take along a direction of W at q [m].
+  /// Interval that the shapes of one side of the hand take along a direction of W at q [m].
   std::pair<double, double> interval(const VectorXd& q, const Vector3d& direction,
                                      bool sliding) const {
     robot::Poses X_WL;
     problem_.robot.forward(q, X_WL);
-    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    std::pair<double, double> found{1e9, -1e9};
-    for (const robot::LinkShape& shape : problem_.robot.shapes()) {
-      const auto link = static_cast<std::size_t>(shape.link);
-      const std::string& name = problem_.robot.frame_names()[link];
-      if (!has(problem_.hand.fingers, name) || has(problem_.hand.sliding_finger, name) != sliding)
-        continue;
-      const Vector3d d = X_WL[link].linear().transpose() * direction;
-      const double origin = direction.dot(X_WL[link].translation());
-      found.first = std::min(found.first, origin - geometry::extent(shape.placed, -d));
-      found.second = std::max(found.second, origin + geometry::extent(shape.placed, d));
-    }
-    return found;
+    return {-foremost(problem_, X_WL, -direction, sliding).extent,
+            foremost(problem_, X_WL, direction, sliding).extent};
   }
 
   /// The opening at the end is the distance of the contacts, and the fingers are off the support.

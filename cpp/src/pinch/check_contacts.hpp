@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,15 @@
 #include "graspless/pinch/pinch.hpp"
 
 namespace graspless::pinch {
+
+/// The link of one side of the hand that is farthest along a direction.
+struct Foremost {
+  int link = -1;
+  double extent = -std::numeric_limits<double>::infinity();  // from the origin of W [m]
+};
+
+Foremost foremost(const Problem& problem, const robot::Poses& X_WL, const Eigen::Vector3d& d_W,
+                  bool sliding);
 
 /// Force of each finger at the end of a plan [N]: options.grip_force, or that of half the effort
 /// limits of the hand's joints, by the Jacobians of both contacts. Nothing if a joint has no limit.

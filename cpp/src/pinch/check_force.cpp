@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pinch/check_contacts.hpp"
+#include "robot/names.hpp"
 #include "robot/rates.hpp"
 #include "text.hpp"
 
@@ -19,30 +20,6 @@ constexpr double kStill = 1e-3;      // of the fingers' motion per unit of a joi
 constexpr double kWeight = 9.81;     // of a kilogram [N]
 constexpr double kMeasured = 0.15;   // of masses, relative
 constexpr double kHangs = 0.1;       // of an object that hangs from the hand [rad]
-
-/// The link of one side of the hand that is farthest along a direction.
-struct Foremost {
-  int link = -1;
-  double extent = -std::numeric_limits<double>::infinity();  // from the origin of W [m]
-};
-
-Foremost foremost(const Problem& problem, const robot::Poses& X_WL, const Vector3d& d_W,
-                  bool sliding) {
-  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  Foremost found;
-  for (const robot::LinkShape& shape : problem.robot.shapes()) {
-    const auto link = static_cast<std::size_t>(shape.link);
-    const std::string& name = problem.robot.frame_names()[link];
-    if (!has(problem.hand.fingers, name) || has(problem.hand.sliding_finger, name) != sliding)
-      continue;
-    const double extent = d_W.dot(X_WL[link].translation()) +
-                          geometry::extent(shape.placed, X_WL[link].linear().transpose() * d_W);
-    if (extent > found.extent) found = {shape.link, extent};
-  }
-  return found;
-}
 
 /// Half length of the contact of a pad with the face of a prism: the pad ends with the finger, the
 /// face with the object [m].
@@ -60,6 +37,22 @@ double pad_on_prism(const Problem& problem, const Plan& plan, const Options& opt
 }
 
 }  // namespace
+
+Foremost foremost(const Problem& problem, const robot::Poses& X_WL, const Vector3d& d_W,
+                  bool sliding) {
+  Foremost found;
+  for (const robot::LinkShape& shape : problem.robot.shapes()) {
+    const auto link = static_cast<std::size_t>(shape.link);
+    const std::string& name = problem.robot.frame_names()[link];
+    if (!robot::contains(problem.hand.fingers, name) ||
+        robot::contains(problem.hand.sliding_finger, name) != sliding)
+      continue;
+    const double extent = d_W.dot(X_WL[link].translation()) +
+                          geometry::extent(shape.placed, X_WL[link].linear().transpose() * d_W);
+    if (extent > found.extent) found = {shape.link, extent};
+  }
+  return found;
+}
 
 std::optional<double> finger_force(const Problem& problem, const Plan& plan,
                                    const Options& options) {
