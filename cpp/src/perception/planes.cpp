@@ -10,6 +10,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
+
 namespace graspless::perception {
 namespace {
 
@@ -137,9 +139,7 @@ double measure_plane(Plane& plane) {
   }
   plane.area = of_view.empty() ? 0 : *std::max_element(of_view.begin(), of_view.end());
   if (roughness.empty()) return 0;
-  const auto middle = roughness.begin() + static_cast<std::ptrdiff_t>(roughness.size() / 2);
-  std::nth_element(roughness.begin(), middle, roughness.end());
-  plane.noise_scale = *middle;
+  plane.noise_scale = geometry::median(roughness);
   return std::accumulate(of_view.begin(), of_view.end(), 0.0);
 }
 

@@ -8,6 +8,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
+
 namespace graspless::perception {
 namespace {
 
@@ -51,9 +53,7 @@ void measure(Sight& sight) {
   sight.share = count / static_cast<double>(sight.depth.size());
   sight.median = 0;
   if (some.empty()) return;
-  const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-  std::nth_element(some.begin(), middle, some.end());
-  sight.median = *middle;
+  sight.median = geometry::median(some);
 }
 
 /// Step between the depths that an image can express; 0 if the depths are not multiples of one.

@@ -9,6 +9,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
+
 namespace graspless::pinch {
 
 using Eigen::Vector2d;
@@ -124,9 +126,7 @@ class Measurement {
       }
     }
     if (static_cast<double>(found.size()) * kApart < kSeen) return patch_;
-    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-    std::nth_element(found.begin(), middle, found.end());
-    return std::clamp((*middle - height_ + patch_) / 2, 0.0, patch_);
+    return std::clamp((geometry::median(found) - height_ + patch_) / 2, 0.0, patch_);
   }
 
   const geometry::HeightMap& map_;

@@ -10,6 +10,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/quantile.hpp"
 #include "pinch/wall_measure.hpp"
 
 namespace graspless::pinch {
@@ -137,9 +138,7 @@ struct Face {
   /// end. A few noisy points show no face.
   double rise(double height, double above) {
     if (undersides.size() < kLeastSeen) return above;
-    const auto middle = undersides.begin() + static_cast<std::ptrdiff_t>(undersides.size() / 2);
-    std::nth_element(undersides.begin(), middle, undersides.end());
-    const double hidden = (*middle - height + above) / 2,
+    const double hidden = (geometry::median(undersides) - height + above) / 2,
                  lost = (lean(above) - kUpright) / (kLeaning - kUpright) * above;
     return std::clamp(std::max(hidden, lost), 0.0, above);
   }
