@@ -83,7 +83,7 @@ class Shade {
   double angle(const Pixel& p) const {
     const Eigen::Vector2d d = from_foot(p);
     const double a = std::atan2(d.y(), d.x()) - middle_;
-    return std::remainder(a, 2 * std::acos(-1.0)) + middle_;
+    return std::remainder(a, 2 * M_PI) + middle_;
   }
   /// Distance at which the ray of a pixel reaches the support, within the region.
   double end_of(const Pixel& p) const {

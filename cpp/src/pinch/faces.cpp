@@ -81,8 +81,8 @@ std::vector<Faces> opposite_faces(const geometry::Polygon& outline, const Vector
   std::vector<Faces> found;
   for (int k = 0; k < kDirections; ++k) {
     poll();
-    const double yaw = k * kPi / kDirections;
-    const Eigen::Rotation2Dd turn(yaw - kPi / 2);  // closing direction along y
+    const double yaw = k * M_PI / kDirections;
+    const Eigen::Rotation2Dd turn(yaw - M_PI / 2);  // closing direction along y
     const Profile along = profile(turn.inverse().toRotationMatrix() * outline.vertices());
     const double com_x = (turn.inverse() * com).x();
     const auto size = along.x.size();

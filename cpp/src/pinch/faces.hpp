@@ -11,8 +11,6 @@
 
 namespace graspless::pinch {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Two opposite parts of an outline or of a wall, between which a jaw fits.
 struct Faces {
   double yaw;                     ///< of the closing direction [rad]

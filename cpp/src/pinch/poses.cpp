@@ -13,7 +13,7 @@ using Eigen::AngleAxisd, Eigen::Isometry3d, Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 
-constexpr double kTilts[] = {0, kPi / 6, -kPi / 6, kPi / 3, -kPi / 3, kPi / 2, -kPi / 2};
+constexpr double kTilts[] = {0, M_PI / 6, -M_PI / 6, M_PI / 3, -M_PI / 3, M_PI / 2, -M_PI / 2};
 constexpr double kUprightTilt = 0.3;   // cost of an approach along the support
 constexpr double kSameHeight = 0.008;  // [m]
 constexpr double kSpare = 0.002;  // of the fingers over `clearance`, if a prism is high enough [m]
@@ -89,7 +89,7 @@ void Poses::add(Faces pair, const Grip& grip, const std::vector<Shapes>& fingers
     X_SH.translation() = Vector3d(p_S.x(), p_S.y(), height) - R_SH * grip.contact_H;
     const double off = has_walls_ ? 0 : std::abs(height - best_) / kLever;
     all_.push_back({pair, height, tilt, problem_.support.X_WS() * X_SH,
-                    cost(pair) + kUprightTilt * std::abs(tilt) / (kPi / 2) + off});
+                    cost(pair) + kUprightTilt * std::abs(tilt) / (M_PI / 2) + off});
   }
 }
 

@@ -41,7 +41,7 @@ struct Run {
 class Section {
  public:
   Section(const geometry::HeightMap& map, double yaw)
-      : turn_(yaw - kPi / 2), step_(kSample * map.cell) {
+      : turn_(yaw - M_PI / 2), step_(kSample * map.cell) {
     const Vector2d size = map.cell * Vector2d(static_cast<double>(map.heights.rows()),
                                               static_cast<double>(map.heights.cols()));
     Eigen::Matrix<double, 2, 4> corners;
@@ -201,7 +201,7 @@ std::vector<Faces> walls(const geometry::HeightMap& map, const Eigen::Vector3d& 
                          const std::vector<double>& heights, double above) {
   std::vector<Faces> found;
   for (int k = 0; k < kClosings; ++k) {
-    const double yaw = k * kPi / kClosings;
+    const double yaw = k * M_PI / kClosings;
     const Section section(map, yaw);
     const Vector2d com_turned = section.turned(com.head<2>());
     for (const double height : heights) {

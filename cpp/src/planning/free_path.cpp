@@ -3,6 +3,7 @@
 #include "graspless/planning/free_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -21,7 +22,6 @@ namespace {
 constexpr double kRange =
     0.6;  // longest extension [rad]; the motion check covers the points between its ends
 constexpr int kShortcuts = 40;
-constexpr double kHalfTurn = 3.14159265358979323846;
 
 /// Joint ranges to sample: those of joints that can turn further than once are cut to half a turn
 /// beyond both ends.
@@ -30,9 +30,9 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> sampled_box(const FreeSpace& space,
                                                         const Eigen::VectorXd& to) {
   Eigen::VectorXd lower = space.lower, upper = space.upper;
   for (Eigen::Index i = 0; i < from.size(); ++i) {
-    if (upper[i] - lower[i] <= 2 * kHalfTurn) continue;
-    lower[i] = std::max(lower[i], std::min(from[i], to[i]) - kHalfTurn);
-    upper[i] = std::min(upper[i], std::max(from[i], to[i]) + kHalfTurn);
+    if (upper[i] - lower[i] <= 2 * M_PI) continue;
+    lower[i] = std::max(lower[i], std::min(from[i], to[i]) - M_PI);
+    upper[i] = std::min(upper[i], std::max(from[i], to[i]) + M_PI);
   }
   return {lower, upper};
 }

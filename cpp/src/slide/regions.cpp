@@ -17,8 +17,6 @@ using planning::vector;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // Draws in a row whose nearest configurations are refused, after which the others are tried too.
 constexpr int kPatience = 100;
 
@@ -118,7 +116,7 @@ std::int32_t StartRegion::draw_point() const {
 // Eq. (3): a contact anywhere on the object's top face, any yaw, pitch beta_0, a depth in the band.
 bool StartRegion::try_sample(ob::State* state) const {
   const Eigen::Vector2d p_OP = query_.problem.object.points().col(draw_point());
-  const Planar contact = contact_at(query_.object_start * p_OP, query_.uniform(0, 2 * kPi));
+  const Planar contact = contact_at(query_.object_start * p_OP, query_.uniform(0, 2 * M_PI));
   if (!query_.problem.support.polygon().contains(contact.translation())) {
     query_.refuse("start: off the support");
     return false;
@@ -183,7 +181,7 @@ bool GoalRegion::try_sample(ob::State* state) const {
     query_.refuse("goal: edge not usable");
     return false;
   }
-  const Planar contact = contact_at(*point, query_.uniform(0, 2 * kPi));
+  const Planar contact = contact_at(*point, query_.uniform(0, 2 * M_PI));
   const double free_joint = query_.draw_free_joint();
   const Eigen::VectorXd near = query_.draw_seed();
   const auto arm = press_at(query_, contact, draw_depth(query_), near, free_joint);

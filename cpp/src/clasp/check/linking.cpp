@@ -12,8 +12,6 @@
 namespace graspless::clasp {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Arc sine of the cosine between two normals; 0 if one vanishes.
 double arc(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   const double length = m.norm() * n.norm();
@@ -28,7 +26,7 @@ double pair_integral(const Eigen::Vector3d& a, const Eigen::Vector3d& a2, const 
   const Eigen::Vector3d n1 = r13.cross(r14), n2 = r14.cross(r24), n3 = r24.cross(r23),
                         n4 = r23.cross(r13);
   const double area = arc(n1, n2) + arc(n2, n3) + arc(n3, n4) + arc(n4, n1);
-  return side == 0 ? 0 : std::copysign(area, side) / (4 * kPi);
+  return side == 0 ? 0 : std::copysign(area, side) / (4 * M_PI);
 }
 
 /// min(1, |VLk|), eq. (2).

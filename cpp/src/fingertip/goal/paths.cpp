@@ -14,7 +14,6 @@ namespace {
 
 // Motions smaller than this are rounding: of the object's size, and [rad].
 constexpr double kNoMotion = 1e-7;
-constexpr double kPi = 3.14159265358979323846;
 
 int segments(double amount, double step) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(amount) / step - 1e-6)));
@@ -48,7 +47,7 @@ class PathMaker {
     floor_motion_ = goal.X_WO_goal * rolled_.back().inverse();
     const Eigen::Quaterniond q(floor_motion_.linear());
     yaw_ = 2 * std::atan2(q.vec().dot(n_W_), q.w());
-    yaw_ = std::remainder(yaw_, 2 * kPi);
+    yaw_ = std::remainder(yaw_, 2 * M_PI);
   }
 
   bool turns() const { return std::abs(yaw_) > kNoMotion; }
@@ -57,8 +56,8 @@ class PathMaker {
   }
   /// The yaw to turn by; both directions if half a turn is needed.
   std::vector<double> yaws() const {
-    if (std::abs(std::abs(yaw_) - kPi) < 1e-6)
-      return {yaw_, yaw_ > 0 ? yaw_ - 2 * kPi : yaw_ + 2 * kPi};
+    if (std::abs(std::abs(yaw_) - M_PI) < 1e-6)
+      return {yaw_, yaw_ > 0 ? yaw_ - 2 * M_PI : yaw_ + 2 * M_PI};
     return {yaw_};
   }
 

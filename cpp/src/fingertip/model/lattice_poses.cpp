@@ -15,7 +15,7 @@ namespace graspless::fingertip {
 namespace {
 
 constexpr int kMoves = 26;  // to the neighbours of a pose
-constexpr double kTurn = 2 * 3.14159265358979323846;
+constexpr double kTurn = 2 * M_PI;
 constexpr double kSameYaw = 1e-9;  // [rad]
 
 /// Steps of a move along x, y and yaw, in lexicographic order and without standing still: moves m

@@ -18,7 +18,6 @@ namespace {
 
 constexpr int kSections = 48, kDirections = 12;
 constexpr std::size_t kMinPoints = 4;  // of a cross-section that counts
-constexpr double kPi = 3.14159265358979323846;
 
 /// The points of a cloud in balls of few neighbours, to find those near a plane.
 class Balls {
@@ -97,7 +96,7 @@ class CrossSection {
 std::pair<double, double> widths_of(const std::vector<Eigen::Vector2d>& points) {
   double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
   for (int i = 0; i < kDirections; ++i) {
-    const double angle = kPi * i / kDirections;
+    const double angle = M_PI * i / kDirections;
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     double lower = std::numeric_limits<double>::infinity(), upper = -lower;
     for (const Eigen::Vector2d& p : points) {

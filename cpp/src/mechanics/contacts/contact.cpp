@@ -139,7 +139,7 @@ Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double friction, int 
                                const Eigen::Vector3d& tangent) {
   require(edges >= 3, "edges", edges, "must be at least 3");
   const Eigen::Vector3d left = n_O.cross(tangent);
-  const double step = 2 * std::acos(-1.0) / edges;
+  const double step = 2 * M_PI / edges;
   Eigen::Matrix3Xd cone(3, edges);
   for (int j = 0; j < edges; ++j) {
     const Eigen::Vector3d around = std::cos(step * j) * tangent + std::sin(step * j) * left;

@@ -10,9 +10,8 @@
 namespace graspless::perception {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kLeast = 16, kMost = 20000;                                // pixels along a side
-constexpr double kNarrowest = 5 * kPi / 180, kWidest = 170 * kPi / 180;  // field of view [rad]
+constexpr int kLeast = 16, kMost = 20000;                                  // pixels along a side
+constexpr double kNarrowest = 5 * M_PI / 180, kWidest = 170 * M_PI / 180;  // field of view [rad]
 
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& allowed) {
   std::ostringstream text;
@@ -36,7 +35,7 @@ void require_view(const char* name, double focal, double center, int size) {
   }
   const double angle = std::atan(center / focal) + std::atan((size - 1 - center) / focal);
   if (angle < kNarrowest || angle > kWidest) {
-    refuse(k + " field of view", angle * 180 / kPi,
+    refuse(k + " field of view", angle * 180 / M_PI,
            "lie in [5, 170] degrees; the focal length is in pixels");
   }
 }
@@ -46,7 +45,7 @@ void require_view(const char* name, double focal, double center, int size) {
 Camera camera_with_view(int width, int height, double angle) {
   if (width < 1) refuse("width", width, "be positive");
   if (height < 1) refuse("height", height, "be positive");
-  if (!(angle > 0 && angle < kPi)) refuse("angle", angle, "lie in (0, pi) rad");
+  if (!(angle > 0 && angle < M_PI)) refuse("angle", angle, "lie in (0, pi) rad");
   const double f = width / (2 * std::tan(angle / 2));
   Camera camera{width, height};
   camera.K << f, 0, (width - 1) / 2.0, 0, f, (height - 1) / 2.0, 0, 0, 1;

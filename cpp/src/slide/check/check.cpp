@@ -24,8 +24,7 @@ double signed_depth(const Eigen::Matrix2Xd& polygon, const Eigen::Vector2d& p) {
     turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     nearest = std::min(nearest, geometry::distance_to_segment(origin, a, b));
   }
-  constexpr double kPi = 3.14159265358979323846;
-  return std::abs(turned) > kPi ? nearest : -nearest;
+  return std::abs(turned) > M_PI ? nearest : -nearest;
 }
 
 Faults Examination::run() {

@@ -196,7 +196,7 @@ double Examination::held_by_rim(const Planar& X_SO, const Eigen::Vector2d& com) 
       held.front().data(), 2, static_cast<Eigen::Index>(held.size())));
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
-    const double angle = k * 2 * std::acos(-1.0) / kDirections;
+    const double angle = k * 2 * M_PI / kDirections;
     const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
     least = std::min(least, (u.transpose() * (hull.colwise() - com)).maxCoeff());
   }

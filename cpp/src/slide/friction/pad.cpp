@@ -87,7 +87,7 @@ Leg::Leg(const Problem& problem, const Pad& from, const Pad& to) : from_(from), 
   const Eigen::Vector2d way = to.position - from.position;
   const double length = way.norm();
   const Eigen::Vector2d along = length > 0 ? Eigen::Vector2d(way / length) : way;
-  twist_ << way, std::remainder(to.yaw - from.yaw, 2 * std::acos(-1.0));
+  twist_ << way, std::remainder(to.yaw - from.yaw, 2 * M_PI);
   press_from_ = press_along(problem, from, along);
   press_to_ = press_along(problem, to, along);
 }

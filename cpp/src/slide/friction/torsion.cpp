@@ -106,7 +106,7 @@ Turning turning(const Problem& problem, const std::vector<PressedRow>& rows) {
     const PressedRow &before = rows[row - 1], &now = rows[row];
     const Eigen::Vector2d step = now.p_SC - before.p_SC;
     const double distance = step.norm();
-    const double turn = std::abs(std::remainder(now.yaw - before.yaw, 2 * std::acos(-1.0)));
+    const double turn = std::abs(std::remainder(now.yaw - before.yaw, 2 * M_PI));
     const double allowed = max_turn_per_length(problem, now.radius, press_on(problem, now, step));
     if (distance >= kMinStep) found.max_turn_rate = std::max(found.max_turn_rate, turn / distance);
     found.allowed_turn_rate = std::min(found.allowed_turn_rate, allowed);

@@ -36,7 +36,7 @@ double rim_distance(const geometry::Polygon& outline, const Vector2d& center) {
   const Eigen::Matrix2Xd hull = geometry::convex_outline(outline.vertices());
   double largest = 0;
   for (int k = 0; k < kChords; ++k) {
-    const double angle = k * std::acos(-1.0) / kChords;
+    const double angle = k * M_PI / kChords;
     const Vector2d u(std::cos(angle), std::sin(angle));
     const double a = distance_along(hull, center, u), b = distance_along(hull, center, -u);
     if (a + b > 0) largest = std::max(largest, 2 * a * b / (a + b));  // each bears by its lever

@@ -170,8 +170,7 @@ void validate(const Problem& problem) {
 
 void validate(const Options& o) {
   planning::require_in_range("options.", o);
-  const double half_pi = std::acos(0.0);
-  require(o.pitch - o.pitch_tolerance > 0 && o.pitch + o.pitch_tolerance < half_pi,
+  require(o.pitch - o.pitch_tolerance > 0 && o.pitch + o.pitch_tolerance < M_PI / 2,
           "options.pitch_tolerance", o.pitch_tolerance, "must keep the pitch within (0, pi/2)");
   if (o.min_depth && o.max_depth) require_order(o, {*o.min_depth, *o.max_depth});
 }
