@@ -287,7 +287,7 @@ TEST(Faces, OfLongPadsAreWhereThePadsTouch) {
     const double r = radius(rng), flat = squash(rng);
     Eigen::Matrix2Xd corners(2, 60);
     for (Eigen::Index k = 0; k < corners.cols(); ++k) {
-      const double angle = 2 * kPi * static_cast<double>(k) / 60, here = r + noise(rng);
+      const double angle = 2 * M_PI * static_cast<double>(k) / 60, here = r + noise(rng);
       corners.col(k) << here * std::cos(angle), flat * here * std::sin(angle);
     }
     const geometry::Polygon outline(corners);

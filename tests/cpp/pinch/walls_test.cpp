@@ -111,7 +111,7 @@ TEST(Walls, AreMeasuredAsTheyAreMade) {
     double inside = 0, outside = 0, rise = 0;
     constexpr int kAngles = 40;
     for (int k = 0; k < kAngles; ++k) {
-      const double angle = 0.1 + k * 2 * kPi / kAngles;
+      const double angle = 0.1 + k * 2 * M_PI / kAngles;
       const Vector3d out(std::cos(angle), std::sin(angle), 0);
       Eigen::Matrix<double, 3, 2> contacts;
       contacts << inner * out, cup.radius * out;

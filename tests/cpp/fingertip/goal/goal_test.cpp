@@ -15,8 +15,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Eigen::Isometry3d on_floor(double x, double y, double yaw, double height) {
   Eigen::Isometry3d X(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
   X.translation() << x, y, height;
@@ -25,7 +23,7 @@ Eigen::Isometry3d on_floor(double x, double y, double yaw, double height) {
 
 /// On the side that was in front (along x).
 Eigen::Isometry3d tumbled_forward() {
-  return Eigen::Isometry3d(Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitY()));
+  return Eigen::Isometry3d(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY()));
 }
 
 /// A block of 5 x 6 x 10 cm standing on end.
@@ -34,7 +32,7 @@ Problem block_problem(const Eigen::Isometry3d& X_WO_goal, std::vector<Plane> wal
   goal.X_WO_start = on_floor(0, 0, 0, 0.05);
   goal.X_WO_goal = X_WO_goal;
   goal.slide_step = 0.02;
-  goal.turn_step = kPi / 18;
+  goal.turn_step = M_PI / 18;
   walls.insert(walls.begin(), Plane{});
   return {Object::box("block", {0.05, 0.06, 0.1}, 1), {}, std::move(walls), {0.5, 0.5}, goal, {}};
 }

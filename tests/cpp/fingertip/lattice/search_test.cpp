@@ -16,8 +16,6 @@
 namespace graspless::fingertip {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Eigen::Isometry3d on_floor(double x, double y, double yaw, double height = 0.025) {
   Eigen::Isometry3d X(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
   X.translation() << x, y, height;
@@ -208,10 +206,10 @@ TEST(Lattice, TurnInPlaceOnASlopeIsThePathsTurn) {
 }
 
 TEST(Lattice, TurnInPlaceIsThePathsTurn) {
-  const Problem problem = block_problem({0, 0, kPi / 2}, {0, 0, 0}, {0, 0, kPi / 2}, {1, 1, 16});
+  const Problem problem = block_problem({0, 0, M_PI / 2}, {0, 0, 0}, {0, 0, M_PI / 2}, {1, 1, 16});
   Problem as_path = problem;
   as_path.motion =
-      turn_path(on_floor(0, 0, 0), Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), kPi / 2, 15);
+      turn_path(on_floor(0, 0, 0), Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), M_PI / 2, 15);
   const Plan plan = fingertip::plan(problem), expected = fingertip::plan(as_path);
   ASSERT_TRUE(plan);
   EXPECT_NEAR(plan.cost, expected.cost, 1e-9);
@@ -220,7 +218,7 @@ TEST(Lattice, TurnInPlaceIsThePathsTurn) {
 
 TEST(Lattice, YawsAWholeTurnApartAreTheSame) {
   // To -90 degrees: three quarters of the way round, or one quarter back over the seam.
-  Problem problem = block_problem({0, 0, -kPi / 2}, {0, 0, 0}, {0, 0, 2 * kPi}, {1, 1, 33});
+  Problem problem = block_problem({0, 0, -M_PI / 2}, {0, 0, 0}, {0, 0, 2 * M_PI}, {1, 1, 33});
   const Plan plan = fingertip::plan(problem);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan.segments[0].X_WO.size(), 9U);
@@ -398,13 +396,13 @@ TEST(Lattice, RefusesWhatIsNoLattice) {
   refused(block_problem({0.1, 0, 0}, lower, upper, {11, 0, 11}), "counts must be 1");
   refused(block_problem({0, 0, 0}, lower, upper, {11, 11, 11}), "must differ");
   refused(block_problem({9e-7, 9e-7, 0}, lower, upper, {11, 11, 11}), "must differ");
-  refused(block_problem({0.1, 0, kPi}, lower, {0.1, 0.1, kPi}, {11, 11, 2}), "more than 3 rad");
+  refused(block_problem({0.1, 0, M_PI}, lower, {0.1, 0.1, M_PI}, {11, 11, 2}), "more than 3 rad");
   Problem problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
   problem.planes.push_back({"wall", -Eigen::Vector3d::UnitX(), -0.11});
   refused(problem, "inside plane 'wall'");
   problem = block_problem({0.1, 0, 0}, lower, upper, {11, 11, 11});
   std::get<Lattice>(problem.motion).X_WO_goal =
-      on_floor(0.1, 0, 0) * Eigen::AngleAxisd(kPi / 2, Eigen::Vector3d::UnitY());
+      on_floor(0.1, 0, 0) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY());
   refused(problem, "same face");
 }
 

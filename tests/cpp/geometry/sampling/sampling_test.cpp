@@ -15,7 +15,6 @@ namespace graspless::geometry {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = 3.14159265358979323846;
 
 PlacedShape at(const Shape& shape, const Eigen::Vector3d& p_BG) {
   PlacedShape placed{shape};
@@ -47,7 +46,7 @@ TEST(SampleSurface, LiesOnASphereAndFillsItEvenly) {
   EXPECT_LT((points.colwise().norm().array() - 0.5).abs().maxCoeff(), 1e-12);
   EXPECT_LT(points.rowwise().mean().norm(), 0.005);
   // The densest packing of discs would put them `apart`; random points come within a hundredth.
-  const double apart = std::sqrt(2 / std::sqrt(3.0) * kPi / 1500);
+  const double apart = std::sqrt(2 / std::sqrt(3.0) * M_PI / 1500);
   const Eigen::VectorXd gaps = nearest(points).cwiseSqrt();
   EXPECT_GT(gaps.minCoeff(), 0.5 * apart);
   EXPECT_LT(gaps.maxCoeff(), 1.2 * apart);
@@ -60,7 +59,7 @@ TEST(SampleSurface, ManyPointsAreEvenToo) {
   EXPECT_EQ(points, sample_surface({{Sphere{0.5}}}, kCount));
   EXPECT_LT((points.colwise().norm().array() - 0.5).abs().maxCoeff(), 1e-12);
   EXPECT_LT(points.rowwise().mean().norm(), 0.002);
-  const double apart = std::sqrt(2 / std::sqrt(3.0) * kPi / kCount);
+  const double apart = std::sqrt(2 / std::sqrt(3.0) * M_PI / kCount);
   EXPECT_NEAR(spacing(points), 0.75 * apart, 0.15 * apart);
 }
 
