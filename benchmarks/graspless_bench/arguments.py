@@ -7,6 +7,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graspless._commands import FOUND, INTERRUPTED, NOT_FOUND
@@ -14,7 +15,7 @@ from graspless.errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
-    from pathlib import Path
+    from collections.abc import Callable
 
     from .machine import Row
 
@@ -30,6 +31,21 @@ def positive(kind: type) -> Any:
 
     number.__name__ = f"positive {kind.__name__}"
     return number
+
+
+def add_output(
+    parser: argparse.ArgumentParser, run: Callable[[argparse.Namespace], int], about: str
+) -> None:
+    """Adds --json, --out with its line of help, and `run`, which begins if --out can be written."""
+
+    def checked(options: argparse.Namespace) -> int:
+        if options.out is not None:
+            check_writable(options.out)
+        return run(options)
+
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    parser.add_argument("--out", type=Path, metavar="DIR", help=about)
+    parser.set_defaults(run=checked)
 
 
 def check_writable(directory: Path) -> None:

@@ -5,10 +5,9 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..arguments import check_writable, finish, positive
+from ..arguments import add_output, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -37,11 +36,7 @@ def add_parser(experiments: Any) -> None:
         metavar="S",
         help="limit of each query [s] (10; small: none, but 1200 cycles)",
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write results, pictures and clasp.md there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write results, pictures and clasp.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -49,8 +44,6 @@ def _run(options: argparse.Namespace) -> int:
     from . import report
     from .run import count, run
 
-    if options.out is not None:
-        check_writable(options.out)
     load = os.getloadavg()
     bar = Bar(f"bench clasp, {options.grid}", count(options.grid, options.seeds))
     result = run(options.grid, options.seeds, options.seed, options.time, bar.tell)

@@ -6,12 +6,11 @@ from __future__ import annotations
 
 import json
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graspless._commands import FOUND, NOT_FOUND
 
-from ..arguments import check_writable, positive, say_partial
+from ..arguments import add_output, positive, say_partial
 
 if TYPE_CHECKING:
     import argparse
@@ -46,11 +45,7 @@ def add_parser(experiments: Any) -> None:
         metavar="S",
         help="limit of each query [s] (fast 60, paper 300, dijkstra 900)",
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write results, pictures and fingertip.md there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write results, pictures and fingertip.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -58,8 +53,6 @@ def _run(options: argparse.Namespace) -> int:
     from . import report, run
     from .grid import GRIDS as MAKERS
 
-    if options.out is not None:
-        check_writable(options.out)
     make, engines = MAKERS[options.grid]
     trials = list(make([options.engine] if options.engine else engines))
     load = os.getloadavg()

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from graspless._commands import FOUND, NOT_FOUND
 from graspless.errors import TaskError
 
-from ..arguments import check_writable, positive
+from ..arguments import add_output, check_writable, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -57,12 +57,10 @@ def add_parser(experiments: Any) -> None:
     parser.add_argument(
         "--jobs", type=positive(int), default=1, metavar="J", help="processes (%(default)s)"
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out",
-        type=Path,
-        metavar="DIR",
-        help="write household.json, household.md and household.png there; an interrupted run goes "
+    add_output(
+        parser,
+        _run,
+        "write household.json, household.md and household.png there; an interrupted run goes "
         "on from household.rows",
     )
     parser.add_argument(
@@ -71,7 +69,6 @@ def add_parser(experiments: Any) -> None:
         metavar="DIR",
         help="write replays of up to ten trials there that were executed and failed",
     )
-    parser.set_defaults(run=_run)
 
 
 def _robots(text: str) -> list[str]:
@@ -106,7 +103,6 @@ def _run(options: argparse.Namespace) -> int:
         options.films.mkdir(parents=True, exist_ok=True)
     log = None
     if options.out is not None:
-        check_writable(options.out)
         options.out.mkdir(parents=True, exist_ok=True)
         log = options.out / "household.rows"
     load = os.getloadavg()

@@ -7,12 +7,11 @@ from __future__ import annotations
 import json
 import os
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graspless._commands import FOUND, INTERRUPTED, NOT_FOUND
 
-from ..arguments import check_writable, positive
+from ..arguments import add_output, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -81,11 +80,7 @@ def add_parser(experiments: Any) -> None:
         action="store_true",
         help="clasp: instead of trials, certificates against hands with locked motors",
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write physics_KIND.json and physics.md there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write physics_KIND.json and physics.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -110,7 +105,6 @@ def _run(options: argparse.Namespace) -> int:
     simulation_kind(grid.kind)  # there is one
     log = None
     if options.out is not None:
-        check_writable(options.out)
         options.out.mkdir(parents=True, exist_ok=True)
         log = options.out / f"physics_{grid.part}.rows"
     load = os.getloadavg()

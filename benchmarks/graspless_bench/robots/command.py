@@ -6,13 +6,12 @@ from __future__ import annotations
 
 import json
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graspless._commands import FOUND, NOT_FOUND
 from graspless.errors import TaskError
 
-from ..arguments import check_writable, positive
+from ..arguments import add_output, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -40,9 +39,7 @@ def add_parser(experiments: Any) -> None:
     parser.add_argument(
         "--clasp-time", type=positive(float), default=10.0, metavar="S", help="of a clasp [s] (10)"
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="write results and robots.md there")
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write results and robots.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -50,8 +47,6 @@ def _run(options: argparse.Namespace) -> int:
     from . import report
     from .run import run
 
-    if options.out is not None:
-        check_writable(options.out)
     fleet = _chosen(options.robot)
     load = os.getloadavg()
     bar = Bar("bench robots", len(fleet))

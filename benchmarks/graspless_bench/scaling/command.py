@@ -5,10 +5,9 @@
 from __future__ import annotations
 
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..arguments import check_writable, finish
+from ..arguments import add_output, finish
 
 if TYPE_CHECKING:
     import argparse
@@ -24,19 +23,13 @@ def add_parser(experiments: Any) -> None:
         "Exit 1 when a query has no result.",
     )
     parser.add_argument("--curve", metavar="NAME", help="only this one (all)")
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write results, a picture and scaling.md there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write results, a picture and scaling.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from . import measure, report
 
-    if options.out is not None:
-        check_writable(options.out)
     curves = measure.chosen(options.curve)
     load = os.getloadavg()
     bar = Bar("bench scaling", sum(len(curve.sizes) for curve in curves))

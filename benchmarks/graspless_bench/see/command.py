@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from graspless._commands import FOUND
 from graspless.errors import TaskError
 
-from ..arguments import check_writable, positive
+from ..arguments import add_output, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -45,11 +45,7 @@ def add_parser(experiments: Any) -> None:
     )
     parser.add_argument("--mesh", action="append", metavar="NAME", help="only this one; repeat")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="seed of the poses (1)")
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write the result as JSON, and see.md, there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write the result as JSON, and see.md, there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -57,8 +53,6 @@ def _run(options: argparse.Namespace) -> int:
     from . import holes, plans, report, run
 
     named = {} if options.grid == "plans" else _named(options)
-    if options.out is not None:
-        check_writable(options.out)
     load = os.getloadavg()
     bar = Bar(f"bench see, {options.grid}", len(named) or plans.count())
     if options.grid == "plans":

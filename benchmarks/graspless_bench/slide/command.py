@@ -6,12 +6,11 @@ from __future__ import annotations
 
 import json
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from graspless._commands import FOUND, NOT_FOUND
 
-from ..arguments import check_writable, positive, say_partial
+from ..arguments import add_output, positive, say_partial
 
 if TYPE_CHECKING:
     import argparse
@@ -56,11 +55,7 @@ def add_parser(experiments: Any) -> None:
         choices=["fast", "paper"],
         help="paper: Algorithm 1 as written (paper and frozen grid: fast; other grids: both)",
     )
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write results, pictures and slide.md there"
-    )
-    parser.set_defaults(run=_run)
+    add_output(parser, _run, "write results, pictures and slide.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -68,8 +63,6 @@ def _run(options: argparse.Namespace) -> int:
     from . import report, run, summary
     from .grid import FOREIGN
 
-    if options.out is not None:
-        check_writable(options.out)
     runs, limit = DEFAULTS[options.grid]
     runs, limit = options.runs or runs, options.time or limit
     trials = _trials(options.grid, runs, options.seed, options.search)

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..arguments import check_writable, finish
+from ..arguments import add_output, finish
 
 if TYPE_CHECKING:
     import argparse
@@ -41,18 +41,15 @@ def add_parsers(experiments: Any) -> None:
             help="a wheel of graspless, or a folder that contains the package",
         )
         parser.add_argument("--query", metavar="NAME", help="only those whose names begin so (all)")
-        parser.add_argument("--json", action="store_true", help="print the result as JSON")
-        parser.add_argument(
-            "--out", type=Path, metavar="DIR", help="write the result and speed.md there"
-        )
-        parser.set_defaults(run=run)
+        add_output(parser, run, "write the result and speed.md there")
 
 
 def _times(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from . import builds, measure, report
+    from .queries import chosen
 
-    load, queries = os.getloadavg(), _begin(options)
+    load, queries = os.getloadavg(), chosen(options.query)
     bar = Bar("bench all", len(queries))
     with contextlib.ExitStack() as stack:
         folders = _folders(options, stack)
@@ -66,23 +63,16 @@ def _times(options: argparse.Namespace) -> int:
 def _profile(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from . import profile, report
+    from .queries import chosen
 
     profile.needs_valgrind()
-    load, queries = os.getloadavg(), [query for query in _begin(options) if query.room]
+    load, queries = os.getloadavg(), [query for query in chosen(options.query) if query.room]
     bar = Bar("bench profile", len(queries))
     with contextlib.ExitStack() as stack:
         rows, is_complete = profile.run(queries, _folders(options, stack), bar.tell)
     bar.close()
     result = report.as_result("profile", rows, is_complete, load, _name(options.against))
     return finish(options, result, report)
-
-
-def _begin(options: argparse.Namespace) -> Any:
-    from .queries import chosen
-
-    if options.out is not None:
-        check_writable(options.out)
-    return chosen(options.query)
 
 
 def _folders(options: argparse.Namespace, stack: contextlib.ExitStack) -> dict[str, Path | None]:
