@@ -5,14 +5,16 @@
 from __future__ import annotations
 
 import functools
+import json
 import re
+import string
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .tables import markdown
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable, Mapping
 
     from .machine import Row
     from .tables import Column
@@ -26,6 +28,32 @@ def template(page: str) -> dict[str, str]:
     return {"head": head.rstrip() + "\n"} | {
         name: body.rstrip() + "\n" for name, body in zip(parts[::2], parts[1::2], strict=True)
     }
+
+
+def write_page(
+    page: str, files: Iterable[str], fields: Callable[[Row], Mapping[str, str]], directory: Path
+) -> None:
+    """Writes PAGE.md: a section of each result in the directory, and their circumstances.
+
+    Parameters
+    ----------
+    page : str
+    files : iterable of str
+        Results that there may be, in the order of the page: FILE.json, whose section is FILE
+        without "PAGE_".
+    fields : callable
+        Returns what the section of a result says.
+    directory : Path
+    """
+    sections = template(page)
+    text, results = sections["head"], []
+    for file in files:
+        if (path := directory / f"{file}.json").exists():
+            results.append(json.loads(path.read_text(encoding="utf-8")))
+            section = string.Template(sections[file.removeprefix(f"{page}_")])
+            text += "\n" + section.substitute(fields(results[-1]))
+    end = string.Template(sections["circumstances"]).substitute(circumstances(results))
+    (directory / f"{page}.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
 def circumstances(results: Iterable[Row]) -> dict[str, str]:

@@ -8,7 +8,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
     from pathlib import Path
 
     from .machine import Row
@@ -26,6 +26,19 @@ def write_json(result: Row, path: Path) -> None:
             text = "[\n  " + ",\n  ".join(items) + "\n ]"
         lines.append(f" {json.dumps(name)}: {text}")
     path.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+
+
+def printed(result: Row, parts: Iterable[str], notes: Iterable[str] = ()) -> str:
+    """Returns the text that a command prints: parts, the machine, notes and complaints."""
+    where = result["machine"]
+    lines = [
+        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        *parts,
+        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
+        *notes,
+        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
+    ]
+    return "\n".join(line for line in lines if line)
 
 
 def milliseconds(value: float | None) -> str:

@@ -462,7 +462,7 @@ def test_files_of_before_still_make_a_page(tmp_path):
         for row in result["rows"]:
             row.pop("warnings", None)
         (tmp_path / path.name).write_text(json.dumps(result))
-    report.write_page(tmp_path)
+    report.write(result, tmp_path)
     page = (tmp_path / "physics.md").read_text()
     assert page.count("| `graspless bench physics --") == len(files) == len(report.PARTS)
     _, ablation = page.split("commanded tip\n", 1)

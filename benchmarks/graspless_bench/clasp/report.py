@@ -4,13 +4,11 @@
 
 from __future__ import annotations
 
-import json
-import string
 from typing import TYPE_CHECKING
 
 from .. import machine
-from ..pages import circumstances, template
-from ..tables import aligned, write_json
+from ..pages import write_page
+from ..tables import aligned, printed, write_json
 from . import pictures, tables
 
 if TYPE_CHECKING:
@@ -39,17 +37,13 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    where = result["machine"]
     rows, shown = tables.of(result)
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+    parts = [
         f"grid {result['grid']}",
         aligned("", rows, shown),
         *tables.sums(result),
-        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
-    return "\n".join(line for line in lines if line)
+    return printed(result, parts)
 
 
 def write(result: Row, directory: Path) -> None:
@@ -57,14 +51,4 @@ def write(result: Row, directory: Path) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"clasp_{result['grid']}.json")
     pictures.draw(result, directory)
-    results = {
-        grid: json.loads(path.read_text(encoding="utf-8"))
-        for grid in GRID_NAMES
-        if (path := directory / f"clasp_{grid}.json").exists()
-    }
-    page = template("clasp")
-    text = page["head"]
-    for grid, found in results.items():
-        text += "\n" + string.Template(page[grid]).substitute(tables.fields(found))
-    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "clasp.md").write_text(text + "\n" + end, encoding="utf-8")
+    write_page("clasp", [f"clasp_{grid}" for grid in GRID_NAMES], tables.fields, directory)

@@ -4,13 +4,11 @@
 
 from __future__ import annotations
 
-import json
-import string
 from typing import TYPE_CHECKING
 
 from .. import machine
-from ..pages import circumstances, template
-from ..tables import aligned, markdown, write_json
+from ..pages import write_page
+from ..tables import aligned, markdown, printed, write_json
 from .grid import GRIDS, PAPER_MINUTES, REFERENCE_COSTS
 from .run import complaints
 
@@ -41,15 +39,11 @@ def as_result(grid: str, run: Run, load: Sequence[float]) -> Row:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    where = result["machine"]
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+    parts = [
         f"grid {result['grid']}; the least time of each trial's runs; peak: what a query adds",
         aligned("", [_named(row) for row in result["rows"]], _columns(result["rows"])),
-        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
-    return "\n".join(line for line in lines if line)
+    return printed(result, parts)
 
 
 def write(result: Row, run: Run, directory: Path) -> None:
@@ -60,17 +54,7 @@ def write(result: Row, run: Run, directory: Path) -> None:
     write_json(result, directory / f"fingertip_{result['grid']}.json")
     if result["grid"] == "paper":
         _draw(run, directory)
-    results = {
-        grid: json.loads(path.read_text(encoding="utf-8"))
-        for grid in GRIDS
-        if (path := directory / f"fingertip_{grid}.json").exists()
-    }
-    text = template("fingertip")["head"]
-    for grid, found in results.items():
-        text += "\n" + string.Template(template("fingertip")[grid]).substitute(_fields(found))
-    end = string.Template(template("fingertip")["circumstances"])
-    text += "\n" + end.substitute(circumstances(results.values()))
-    (directory / "fingertip.md").write_text(text, encoding="utf-8")
+    write_page("fingertip", [f"fingertip_{grid}" for grid in GRIDS], _fields, directory)
 
 
 def _draw(run: Run, directory: Path) -> None:

@@ -5,15 +5,13 @@
 from __future__ import annotations
 
 import importlib.metadata
-import json
-import string
 from typing import TYPE_CHECKING, Any
 
 from graspless.simulation import simulation_kind
 
 from .. import machine
-from ..pages import circumstances, template
-from ..tables import aligned, markdown, write_json
+from ..pages import write_page
+from ..tables import aligned, markdown, printed, write_json
 from . import locked, tables
 from .claims import cases as all_cases
 
@@ -69,38 +67,19 @@ def as_result(run: Run, load: Sequence[float]) -> Row:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    where = result["machine"]
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+    parts = [
         _counts(result["totals"]),
         *(aligned(title, rows, _short(shown)) for title, (rows, shown) in _tables(result).items()),
         tables.below(result) if result["part"].endswith("_withstands") else "",
-        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
-    return "\n".join(line for line in lines if line)
+    return printed(result, parts)
 
 
 def write(result: Row, directory: Path) -> None:
     """Writes physics_PART.json, and physics.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"physics_{result['part']}.json")
-    write_page(directory)
-
-
-def write_page(directory: Path) -> None:
-    """Writes physics.md from the physics_PART.json there."""
-    results = {
-        name: json.loads(path.read_text(encoding="utf-8"))
-        for name in PARTS
-        if (path := directory / f"physics_{name}.json").exists()
-    }
-    page = template("physics")
-    text = page["head"]
-    for name, found in results.items():
-        text += "\n" + string.Template(page[name]).substitute(_fields(found))
-    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "physics.md").write_text(text + "\n" + end, encoding="utf-8")
+    write_page("physics", [f"physics_{part}" for part in PARTS], _fields, directory)
 
 
 def _tables(result: Row) -> dict[str, tables.Table]:

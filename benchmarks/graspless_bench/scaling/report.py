@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import circumstances, template
-from ..tables import aligned, markdown, milliseconds, write_json
+from ..tables import aligned, markdown, milliseconds, printed, write_json
 from .curves import CURVES
 from .measure import GOOD, exponent
 
@@ -65,15 +65,11 @@ def _curves(rows: Sequence[Row]) -> list[Row]:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    where = result["machine"]
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+    parts = [
         aligned("", _named(result["rows"]), _SIZES),
         aligned("", result["curves"], _CURVES),
-        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
     ]
-    return "\n".join(line for line in lines if line)
+    return printed(result, parts)
 
 
 def _named(rows: Sequence[Row]) -> list[Row]:

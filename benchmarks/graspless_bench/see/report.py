@@ -4,14 +4,12 @@
 
 from __future__ import annotations
 
-import json
-import string
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import machine, memory
-from ..pages import circumstances, template
+from ..pages import write_page
 from ..tables import aligned, markdown, write_json
 from . import holes, plans
 
@@ -189,18 +187,12 @@ def write(result: Row, directory: Path) -> None:
     """Writes the result as JSON, and see.md from all results there, into a folder."""
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"{result['file']}.json")
-    paths = {name: directory / f"{name}.json" for name in FILES}
-    results = {
-        name: json.loads(p.read_text(encoding="utf-8")) for name, p in paths.items() if p.exists()
+    write_page("see", FILES, _fields, directory)
+
+
+def _fields(result: Row) -> dict[str, str]:
+    facts = {
+        key: markdown(rows, columns, title)
+        for key, (title, rows, columns) in _tables(result).items()
     }
-    page = template("see")
-    text = page["head"]
-    for name, found in results.items():
-        facts = {
-            key: markdown(rows, columns, title)
-            for key, (title, rows, columns) in _tables(found).items()
-        }
-        facts |= {"scenes": str(found["scenes"]), "meshes": str(len(found.get("meshes", ())))}
-        text += "\n" + string.Template(page[name]).substitute(facts)
-    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "see.md").write_text(text + "\n" + end, encoding="utf-8")
+    return facts | {"scenes": str(result["scenes"]), "meshes": str(len(result.get("meshes", ())))}

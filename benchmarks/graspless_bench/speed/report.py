@@ -4,13 +4,11 @@
 
 from __future__ import annotations
 
-import json
-import string
 from typing import TYPE_CHECKING
 
 from .. import machine
-from ..pages import circumstances, template
-from ..tables import aligned, markdown, milliseconds, percent, write_json
+from ..pages import write_page
+from ..tables import aligned, markdown, milliseconds, percent, printed, write_json
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -65,15 +63,8 @@ def _complaints(row: Row) -> list[str]:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    where = result["machine"]
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
-        *(aligned(title, *table) for title, table in _tables(result).items()),
-        f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
-        *_unanswered(result),
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
-    ]
-    return "\n".join(line for line in lines if line)
+    parts = [aligned(title, *table) for title, table in _tables(result).items()]
+    return printed(result, parts, _unanswered(result))
 
 
 def _unanswered(result: Row) -> list[str]:
@@ -88,22 +79,13 @@ def write(result: Row, directory: Path) -> None:
     """Writes speed_PART.json, and speed.md anew from all such files there."""
     directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"speed_{result['bench']}.json")
-    results = {
-        part: json.loads(path.read_text(encoding="utf-8"))
-        for part in PARTS
-        if (path := directory / f"speed_{part}.json").exists()
-    }
-    page = template("speed")
-    text = page["head"]
-    for part, found in results.items():
-        tables = [markdown(*table, title) for title, table in _tables(found).items()]
-        fields = {
-            "tables": "\n\n".join(tables),
-            "unanswered": "\n".join(f"- {text}" for text in _unanswered(found)),
-        }
-        text += "\n" + string.Template(page[part]).substitute(fields)
-    end = string.Template(page["circumstances"]).substitute(circumstances(results.values()))
-    (directory / "speed.md").write_text(text + "\n" + end, encoding="utf-8")
+    write_page("speed", [f"speed_{part}" for part in PARTS], _fields, directory)
+
+
+def _fields(result: Row) -> dict[str, str]:
+    tables = [markdown(*table, title) for title, table in _tables(result).items()]
+    unanswered = [f"- {text}" for text in _unanswered(result)]
+    return {"tables": "\n\n".join(tables), "unanswered": "\n".join(unanswered)}
 
 
 def _tables(result: Row) -> Mapping[str, tuple[list[Row], list[Column]]]:
