@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..statistics import wilson
 from .claims import (
     BROKEN,
     CLAIMS,
@@ -39,6 +40,7 @@ KNOWN = ("solved", *LOST)
 MEANING = "meaning"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 EDGES = (0, 0.5, 0.7, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, math.inf)  # of broke / promised
+Z = 1.645  # one-sided 95 % of the normal distribution
 SLOW = {"median": 0.5, "99 %": 0.99, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
@@ -257,14 +259,14 @@ def below(result: Row) -> str:
     ]
     text = (
         f"Of {len(seen)} tests, {by_law} broke below what the row withstands with fingers in place "
-        f"(95 %: fewer than {100 * wilson(by_law, len(seen)):.2g} %); the median of that is "
+        f"(95 %: fewer than {100 * wilson(by_law, len(seen), Z)[1]:.2g} %); the median of that is "
         f"{np.median(shares):.2g} of what breaks it"
     )
     if "promised" not in seen[0]:  # older files lack it
         return text
     promising = [c for c in seen if "promised_ratio" in c]
     over = _broke_below(promising, "promised_ratio")
-    bound = 100 * wilson(over, max(len(promising), 1))
+    bound = 100 * wilson(over, max(len(promising), 1), Z)[1]
     return (
         f"{text}. Of {len(promising)} tests with a promise, {over} broke below it (95 %: fewer "
         f"than {bound:.2g} %); in {len(seen) - len(promising)}, the fingers' springs were bent by "
@@ -274,14 +276,6 @@ def below(result: Row) -> str:
 
 def _broke_below(seen: list[Row], ratio: str) -> int:
     return sum(not (case[ratio] is None or case[ratio] >= 1) for case in seen)
-
-
-def wilson(count: int, of: int, z: float = 1.645) -> float:
-    """Returns Wilson's upper bound of a share, of one-sided 95 % by default."""
-    share = count / of
-    middle = share + z * z / (2 * of)
-    far = z * math.sqrt(share * (1 - share) / of + z * z / (4 * of * of))
-    return (middle + far) / (1 + z * z / of)
 
 
 def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float | None:
