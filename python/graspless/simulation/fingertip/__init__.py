@@ -88,13 +88,11 @@ def start(plan: Plan, variation: Variation) -> Running:
     return Running(world.model, world.data, lambda: world.X_WO, advance())
 
 
-def carry_out(
-    plan: Plan, variation: Variation, *, feeds: bool = True, zeroes: bool = True
-) -> tuple[World, Script, Log]:
+def carry_out(plan: Plan, variation: Variation, *, feeds: bool = True) -> tuple[World, Script, Log]:
     """Executes a plan by bare fingertips. Returns the final world, the commands of each step,
     and the observations.
 
-    `feeds` and `zeroes` are parameters of the servos.
+    `feeds` is a parameter of the servo.
     """
     problem, settings = plan.task.problem, Fingertip()
     world = build_world(problem, variation, settings)
@@ -103,7 +101,7 @@ def carry_out(
     script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
     world.place(plan.segments[0].X_WO[0], script.centers[0])
     offsets, limit = finger_offsets(variation, world.fingers), problem.fingers.max_normal_force
-    servo = Servo(world, script, limit, offsets, feeds=feeds, zeroes=zeroes)
+    servo = Servo(world, script, limit, offsets, feeds=feeds)
     return world, script, execute(world, script, servo)
 
 

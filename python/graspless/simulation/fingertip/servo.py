@@ -39,8 +39,8 @@ class Servo:
         Greatest normal force [N].
     offsets : array [n, 3]
         By how much the fingers are beside where they are told to be, see Script.drift [m].
-    feeds, zeroes : bool
-        Whether nominal forces are fed forward, and places zeroed.
+    feeds : bool
+        Feed nominal forces forward.
     """
 
     def __init__(
@@ -51,7 +51,6 @@ class Servo:
         offsets: Matrix | None = None,
         *,
         feeds: bool = True,
-        zeroes: bool = True,
     ) -> None:
         self._world, self._script, self._limit = world, script, limit
         beside = np.zeros((world.fingers, 3)) if offsets is None else offsets
@@ -66,7 +65,7 @@ class Servo:
         self._R_WO = Rotation.from_quat(script.places[:, [4, 5, 6, 3]]).as_matrix()
         is_new = np.diff(script.stage) != 0
         starts = (np.diff(script.holds, axis=0) > 0).any(axis=1)
-        self._may_zero = zeroes & np.concatenate([[False], is_new | starts])
+        self._may_zero = np.concatenate([[False], is_new | starts])
         self._error = np.zeros(3)
         self._zero_O = np.zeros((world.fingers, 3))
 
