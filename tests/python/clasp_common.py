@@ -6,8 +6,9 @@ import functools
 
 import numpy as np
 
+import graspless
 import tasks_common
-from graspless import _data, clasp, frames, geometry
+from graspless import _data, clasp, frames, geometry, tasks
 from graspless.robot import Robot
 
 X_WO = frames.planar(0.62, 0.05, 0.3)  # [m, m, rad]
@@ -21,6 +22,14 @@ object:
   pose: {position: [0.62, 0.05, 0], rpy: [0, 0, 0.3]}
 budget: {seconds: 20, seed: 3}
 """
+
+
+@functools.cache
+def purse_plan():
+    """The plan of PURSE."""
+    plan = graspless.plan(tasks.read_task(PURSE, "purse.yaml"))
+    assert plan, plan.reason
+    return plan
 
 
 def changed(old, new, text=PURSE):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import graspless
-from clasp_common import PURSE, problem
+from clasp_common import PURSE, problem, purse_plan
 from graspless import TaskError, clasp, report
 from graspless.tasks import read_task
 from tasks_common import reread
@@ -16,11 +16,7 @@ from tasks_common import reread
 SHAPE = clasp.StabilityOptions(force=0, torque=0)  # without a load
 
 
-@pytest.fixture(scope="module")
-def plan():
-    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
-    assert plan, plan.reason
-    return plan
+plan = pytest.fixture(scope="module")(purse_plan)
 
 
 @pytest.fixture(scope="module")

@@ -8,17 +8,12 @@ import numpy as np
 import pytest
 
 import graspless
-from clasp_common import PURSE, changed
+from clasp_common import PURSE, changed, purse_plan
 from graspless import TaskError, clasp, report
 from graspless.tasks import read_task
 from tasks_common import reread
 
-
-@pytest.fixture(scope="module")
-def plan():
-    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
-    assert plan, plan.reason
-    return plan
+plan = pytest.fixture(scope="module")(purse_plan)
 
 
 @pytest.fixture(scope="module")

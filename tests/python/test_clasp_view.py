@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import graspless
-from clasp_common import PURSE, purse
+from clasp_common import purse, purse_plan
 from graspless import geometry
-from graspless.tasks import read_task
 from tasks_common import last_positions, pixels, read_png, recording
 
 pytest.importorskip("matplotlib")
@@ -21,12 +20,7 @@ from graspless.view.clasp.film import film, linking, linking_at  # noqa: E402
 from graspless.view.surface import surface_part  # noqa: E402
 from graspless.view.tubes import smooth, tube  # noqa: E402
 
-
-@pytest.fixture(scope="module")
-def plan():
-    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
-    assert plan, plan.reason
-    return plan
+plan = pytest.fixture(scope="module")(purse_plan)
 
 
 def test_picture_shows_object_loop_curves_tree_and_linking(plan, tmp_path):

@@ -14,7 +14,7 @@ import trimesh
 from scipy.spatial import Delaunay, cKDTree
 
 import graspless
-from clasp_common import PURSE, changed
+from clasp_common import PURSE, changed, purse_plan
 from graspless import _data, clasp, geometry
 from graspless.report import simulation as simulation_report
 from graspless.simulation.clasp import FAILURES, MEASURES, _seeds, held_locked, run, surface
@@ -35,11 +35,7 @@ from tasks_common import reread
 SHORT = Clasp(sequences=2, seconds=0.6, pull_rate=80.0)
 
 
-@pytest.fixture(scope="module")
-def plan():
-    plan = graspless.plan(read_task(PURSE, "purse.yaml"))
-    assert plan, plan.reason
-    return plan
+plan = pytest.fixture(scope="module")(purse_plan)
 
 
 @pytest.fixture(scope="module")
