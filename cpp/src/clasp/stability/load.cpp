@@ -25,11 +25,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using mechanics::Vector6d;
 
-constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
-constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
-constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
-constexpr int kMoves = 6;            // with the same near points: shorter than kReach
-constexpr int kStretches = 8;        // of kMoves each, at most: more play than a closed hand has
+constexpr double kSpacing = 0.0015;   // of points on a triangle [m]
+constexpr double kCellSize = 0.002;   // of space, for each of which one point is kept [m]
+constexpr double kAtRest = 0.02;      // steps that are shorter end a motion [mm]
+constexpr int kMoves = 6;             // with the same near points: shorter than kReach
+constexpr int kStretches = 8;         // of kMoves each, at most: more play than a closed hand has
 constexpr double kLeastTurn = 0.002;  // by which each joint may give way in a step [rad]
 constexpr double kLeastSlide = 0.1;   // [mm]
 constexpr std::size_t kUsualPoints = 1 << 14;

@@ -39,9 +39,9 @@ struct LoadEffort {
 };
 
 /// Test of the loads that force open the closed hand. The object moves without friction and without
-/// inertia until the hand blocks it, by up to six steps of 2 mm, or by six more where it met nothing
-/// in the last six. At each step a linear program compares the work that the load gains if joints
-/// give way with the work of their motors. Not thread-safe.
+/// inertia until the hand blocks it, by up to six steps of 2 mm, or by six more where it met
+/// nothing in the last six. At each step a linear program compares the work that the load gains if
+/// joints give way with the work of their motors. Not thread-safe.
 class LoadTester {
  public:
   explicit LoadTester(const Problem& problem);
@@ -68,7 +68,7 @@ class LoadTester {
   struct Pressed {
     LoadEffort most;
     Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();  // of the object
-    bool is_free = true;  // nothing stopped it
+    bool is_free = true;                                      // nothing stopped it
     bool is_at_rest = false;
   };
   struct Measured;
