@@ -285,12 +285,10 @@ void bind_stability(py::module_& m) {
             "True if the loop escaped in no sequence and, for a hand of two fingers, if its motors "
             "withstand the load."},
       Field{"escapes", &Stability::escapes, "Number of sequences in which the loop escaped."},
-      Field{
-          "withstands", &Stability::withstands,
-          "Largest force that may act suddenly in any direction, with moments in proportion as "
-          "in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if "
-          "none does, 0 if that was not tested or the loop escaped. Nothing is said of loads that "
-          "move the object by more than 12 mm before it meets a finger."},
+      Field{"withstands", &Stability::withstands,
+            "Largest force that may act suddenly in any direction, with moments in proportion as "
+            "in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if "
+            "none does, 0 if that was not tested or the loop escaped."},
       Field{"opens_first", &Stability::opens_first,
             "The joint that gives way first; empty if none does."},
       Field{"margin", &Stability::margin, "1: the object cannot move; 0 or less: it escaped."},

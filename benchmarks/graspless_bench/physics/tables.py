@@ -40,7 +40,7 @@ KNOWN = ("solved", *LOST)
 MEANING = "meaning"  # a column for pages, too wide for a terminal
 SHOWN = {"median": 0.5, "95 %": 0.95, "max": 1.0}
 EDGES = (0, 0.5, 0.7, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0, 3.0, math.inf)  # of broke / promised
-Z = 1.645  # one-sided 95 % of the normal distribution
+ONE_SIDED = 1.645  # one-sided 95 % of the normal distribution
 SLOW = {"median": 0.5, "99 %": 0.99, "max": 1.0}
 LOW = {"min": 0.0, "5 %": 0.05, "median": 0.5}
 DISTURBANCES = {
@@ -259,14 +259,14 @@ def below(result: Row) -> str:
     ]
     text = (
         f"Of {len(seen)} tests, {by_law} broke below what the row withstands with fingers in place "
-        f"(95 %: fewer than {100 * wilson(by_law, len(seen), Z)[1]:.2g} %); the median of that is "
+        f"(95 %: fewer than {100 * wilson(by_law, len(seen), ONE_SIDED)[1]:.2g} %); the median of that is "
         f"{np.median(shares):.2g} of what breaks it"
     )
     if "promised" not in seen[0]:  # older files lack it
         return text
     promising = [c for c in seen if "promised_ratio" in c]
     over = _broke_below(promising, "promised_ratio")
-    bound = 100 * wilson(over, max(len(promising), 1), Z)[1]
+    bound = 100 * wilson(over, max(len(promising), 1), ONE_SIDED)[1]
     return (
         f"{text}. Of {len(promising)} tests with a promise, {over} broke below it (95 %: fewer "
         f"than {bound:.2g} %); in {len(seen) - len(promising)}, the fingers' springs were bent by "

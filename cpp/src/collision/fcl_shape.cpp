@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision/fcl_shape.hpp"
 
-#include <stdexcept>
 #include <utility>
 #include <vector>
 

@@ -216,9 +216,10 @@ std::vector<Side> prism_sides(const Eigen::Matrix3Xd& points) {
 }  // namespace
 
 bool spans_volume(const Eigen::Matrix3Xd& points) {
+  if (points.cols() < 4) return false;
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean().eval();
   const double width = centred.cwiseAbs().maxCoeff();
-  if (points.cols() < 4 || !(width > 0)) return false;
+  if (!(width > 0)) return false;
   // Normalised by size, so that squares of tiny lengths do not underflow.
   const Eigen::Matrix3d moments = (centred / width) * (centred / width).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments);

@@ -479,7 +479,7 @@ class Stability:
     @property
     def withstands(self) -> float:
         """
-        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested or the loop escaped. Nothing is said of loads that move the object by more than 12 mm before it meets a finger.
+        Largest force that may act suddenly in any direction, with moments in proportion as in the options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if that was not tested or the loop escaped.
         """
     @withstands.setter
     def withstands(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None:

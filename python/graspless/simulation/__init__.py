@@ -68,9 +68,9 @@ def simulate(
     trials : int
         Number of trials. The first is nominal. The others vary friction, mass, the pose of
         the object and the time step. For fingertip plans they vary friction by 10 %, the positions
-        of the fingers (with an arm: of the object) by 0.1 mm, and the time step. For slides they
-        also vary thickness and centre of mass of the object, the height of the support, and the
-        flexures of the fingers.
+        of the fingers (with an arm: of the object) by 0.1 mm, and the time step. For slides,
+        pinches, and chains that begin with them, they also vary thickness and centre of mass of
+        the object, the height of the support, and the flexures of the fingers.
     seed : int
         Seed of the variations, and of the camera; at least 0.
     closed_loop : bool

@@ -19,7 +19,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.description = (
         "Execute a plan in MuJoCo and judge it by the motion of the object. The first trial is "
         "nominal. The others vary friction, mass, the pose of the object and the time step; "
-        "for slides also thickness, centre of mass, the height of the support and the flexures. "
+        "for slides, pinches, and chains that begin with them, also thickness, centre of mass, the "
+        "height of the support and the flexures. "
         "For fingertip plans they vary friction by 10 %, the positions of the fingers (with an "
         "arm: of the object) by 0.1 mm, and the time step. The exit code is 1 if a trial failed."
     )

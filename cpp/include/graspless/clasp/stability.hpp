@@ -78,8 +78,7 @@ struct Stability {
   int escapes = 0;  ///< number of sequences in which the loop escaped
   /// Largest force that may act suddenly in any direction, with moments in proportion as in the
   /// options, before a joint of the hand gives way at its effort limit [N]; 1e6 if none does, 0 if
-  /// that was not tested or the loop escaped. Nothing is said of loads that move the object by more
-  /// than 12 mm before it meets a finger.
+  /// that was not tested or the loop escaped.
   double withstands = 0;
   std::string opens_first;  ///< the joint that gives way first, if any
   /// 1 - r / escape_distance, where r is the largest distance of the loop from the hand's centre in

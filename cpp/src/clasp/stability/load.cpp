@@ -25,11 +25,12 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using mechanics::Vector6d;
 
-constexpr double kSpacing = 0.0015;   // of points on a triangle [m]
-constexpr double kCellSize = 0.002;   // of space, for each of which one point is kept [m]
-constexpr double kAtRest = 0.02;      // steps that are shorter end a motion [mm]
-constexpr int kMoves = 6;             // with the same near points: shorter than kReach
-constexpr int kStretches = 8;         // of kMoves each, at most: more play than a closed hand has
+constexpr double kSpacing = 0.0015;  // of points on a triangle [m]
+constexpr double kCellSize = 0.002;  // of space, for each of which one point is kept [m]
+constexpr double kAtRest = 0.02;     // steps that are shorter end a motion [mm]
+constexpr int kMoves = 6;
+constexpr int kFlight = 2;            // moves with the same near points while nothing is met
+constexpr int kFlights = 24;          // more play than a closed hand has
 constexpr double kLeastTurn = 0.002;  // by which each joint may give way in a step [rad]
 constexpr double kLeastSlide = 0.1;   // [mm]
 constexpr std::size_t kUsualPoints = 1 << 14;
@@ -48,7 +49,7 @@ struct CellHash {
 
 }  // namespace
 
-/// What is known of the points near the hand, and of them before the object moves: of all loads.
+/// What is known of the points near the hand, and of them before the object moves.
 struct LoadTester::Measured {
   Measured(NearPoints near, const std::vector<Body>& bodies, const Posture& hand)
       : points(std::move(near)), first(points, Eigen::Isometry3d::Identity(), bodies, hand) {}
@@ -189,23 +190,22 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
   return {std::move(points_W), ranges, distances};
 }
 
-/// At most kMoves steps from `first`, contacts of the object at X_WO, whose mean is then at mean_W.
-LoadTester::Pressed LoadTester::press(const Vector6d& load, NearPoints& points,
-                                      PosedContacts& first, const Posture& hand,
-                                      const Vector3d& mean_W) const {
+/// Steps of an object, whose mean is at mean_W before it moves.
+LoadTester::Pressed LoadTester::press(const Vector6d& load, Measured& known, const Posture& hand,
+                                      const Vector3d& mean_W, int moves) const {
   LoadStepper stepper(limits_, give_);
   Pressed pressed;
   Eigen::Isometry3d& moved = pressed.moved;
-  for (int i = 0; i < kMoves && !pressed.is_at_rest; ++i) {
+  for (int i = 0; i < moves && !pressed.is_at_rest; ++i) {
     poll();
     Vector6d wrench = load;  // about the hand's centre
     wrench.tail<3>() += (moved * mean_W - hand.center_W).cross(load.head<3>());
     wrench.tail<3>() *= kMetre / kArm;
     LoadStep next;
     if (i == 0) {
-      next = stepper.step(wrench, first);
+      next = stepper.step(wrench, known.first);
     } else {
-      PosedContacts contacts(points, moved, bodies_, hand);
+      PosedContacts contacts(known.points, moved, bodies_, hand);
       next = stepper.step(wrench, contacts);
     }
     if (next.effort > pressed.most.effort)
@@ -218,16 +218,17 @@ LoadTester::Pressed LoadTester::press(const Vector6d& load, NearPoints& points,
   return pressed;
 }
 
-/// Where nothing stopped the object it goes on, with the points that are near the hand then.
+/// Where nothing stops the object, it flies on until it meets the hand.
 LoadEffort LoadTester::effort_of(const Vector6d& load, Measured& known, const Posture& hand,
                                  double reach) const {
   Eigen::Isometry3d X_WO = problem_.X_WO;
-  Pressed pressed = press(load, known.points, known.first, hand, X_WO * mean_O_);
-  for (int i = 1; i < kStretches && pressed.is_free && !pressed.is_at_rest; ++i) {
+  Pressed pressed = press(load, known, hand, X_WO * mean_O_, kMoves);
+  for (int i = 0; i < kFlights && pressed.is_free && !pressed.is_at_rest; ++i) {
     X_WO = pressed.moved * X_WO;
-    Measured here(near_points(hand, reach, X_WO), bodies_, hand);
-    if (here.points.places.empty()) break;
-    pressed = press(load, here.points, here.first, hand, X_WO * mean_O_);
+    Measured here(near_points(hand, reach + kReach, X_WO), bodies_, hand);
+    if (here.points.places.empty()) break;  // it has left the hand
+    pressed = press(load, here, hand, X_WO * mean_O_, kFlight);
+    if (!pressed.is_free) return press(load, here, hand, X_WO * mean_O_, kMoves).most;
   }
   return pressed.most;
 }
@@ -245,7 +246,7 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
   const auto test = [&](std::size_t i) {
     if (i > last) return;
     found[i] = measured.lend([&](Measured& known) {
-      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known, hand, reach + kReach);
+      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known, hand, reach);
     });
     found[i].effort *= kSudden;
     if (!(found[i].effort > enough)) return;

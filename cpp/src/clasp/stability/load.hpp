@@ -39,9 +39,10 @@ struct LoadEffort {
 };
 
 /// Test of the loads that force open the closed hand. The object moves without friction and without
-/// inertia until the hand blocks it, by up to six steps of 2 mm, or by six more where it met
-/// nothing in the last six. At each step a linear program compares the work that the load gains if
-/// joints give way with the work of their motors. Not thread-safe.
+/// inertia until the hand blocks it, by up to six steps of 2 mm; where it meets nothing on them, it
+/// flies on until it meets the hand, and takes six steps from there. At each step a linear program
+/// compares the work that the load gains if joints give way with the work of their motors. Not
+/// thread-safe.
 class LoadTester {
  public:
   explicit LoadTester(const Problem& problem);
@@ -64,16 +65,16 @@ class LoadTester {
   NearPoints near_points(const Posture& hand, double reach, const Eigen::Isometry3d& X_WO) const;
   bool sink(const Posture& hand, NearPoints& points, LoadStepper& stepper,
             const Eigen::Vector3d& mean_W, Eigen::Isometry3d& moved) const;
-  /// What a load does in a few steps.
+  /// A few steps under a load.
   struct Pressed {
     LoadEffort most;
-    Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();  // of the object
+    Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();  // in these steps
     bool is_free = true;                                      // nothing stopped it
     bool is_at_rest = false;
   };
   struct Measured;
-  Pressed press(const mechanics::Vector6d& load, NearPoints& points, PosedContacts& first,
-                const Posture& hand, const Eigen::Vector3d& mean_W) const;
+  Pressed press(const mechanics::Vector6d& load, Measured& known, const Posture& hand,
+                const Eigen::Vector3d& mean_W, int moves) const;
   LoadEffort effort_of(const mechanics::Vector6d& load, Measured& known, const Posture& hand,
                        double reach) const;
 

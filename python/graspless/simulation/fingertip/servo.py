@@ -40,7 +40,7 @@ class Servo:
     offsets : array [n, 3]
         By how much the fingers are beside where they are told to be, see Script.drift [m].
     feeds : bool
-        Feed nominal forces forward.
+        True to feed nominal forces forward.
     """
 
     def __init__(

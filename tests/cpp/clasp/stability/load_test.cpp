@@ -41,6 +41,22 @@ TEST(LoadTester, ABarThatTurnsPushesTheFingersApartAtTheirEdges) {
   EXPECT_EQ(effort(problem, 0), 0);
 }
 
+TEST(LoadTester, AnObjectThatLeavesTheHandLoadsNothing) {
+  Problem problem = ring_in_gripper(0.02);
+  problem.X_WO.translation().z() += 0.15;
+  EXPECT_EQ(effort(problem, 1), 0);
+}
+
+TEST(LoadTester, AForceReachesFingersFarFromTheBar) {
+  const Problem problem = ring_in_gripper(0.02);
+  VectorXd q = problem.q_start;
+  for (const double gap : {0.0015, 0.0195}) {
+    q[problem.robot.joint("slide_left")] = 0.01 + gap;
+    const double pushed = LoadTester(problem).effort(q, {0, 0, 1.09}, 0.06, 20, 0).effort;
+    EXPECT_GE(pushed, kSudden * 20 / 50 - 1e-9) << gap;
+  }
+}
+
 TEST(LoadTester, FingersFarFromTheBarAreReachedAllTheSame) {
   const Problem problem = ring_in_gripper(0.02);
   for (const double gap : {0.004, 0.008, 0.012, 0.016, 0.0195}) {
