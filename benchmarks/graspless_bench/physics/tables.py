@@ -257,9 +257,10 @@ def below(result: Row) -> str:
     shares = [
         0.0 if c["smallest"] is None else c["withstands"] / max(c["smallest"], 1e-12) for c in seen
     ]
+    most = 100 * wilson(by_law, len(seen), ONE_SIDED)[1]
     text = (
         f"Of {len(seen)} tests, {by_law} broke below what the row withstands with fingers in place "
-        f"(95 %: fewer than {100 * wilson(by_law, len(seen), ONE_SIDED)[1]:.2g} %); the median of that is "
+        f"(95 %: fewer than {most:.2g} %); the median of that is "
         f"{np.median(shares):.2g} of what breaks it"
     )
     if "promised" not in seen[0]:  # older files lack it
