@@ -4,7 +4,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, example, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
@@ -51,6 +51,19 @@ def whole(points, limits, tolerance=1e-3):
     return [Zone(slice(0, len(points)), limits, np.full(points.shape[1], tolerance))]
 
 
+# Its jerk is large for 7 ms only, between two jumps.
+STAIRS = [
+    [0.0, 0.0, 0.0],
+    [-0.459, -0.459, -0.459],
+    [-0.459, -0.459, -0.606],
+    [-0.918, -0.918, -1.065],
+    [-0.93, -1.377, -1.212],
+    [-1.389, -1.836, -1.671],
+    [-1.848, -2.295, -2.13],
+]
+
+
+@example(np.array(STAIRS), 1.9830953528250688, 0.2, 5.0)
 @given(polylines(), st.floats(0.1, 3), st.floats(0.2, 10), st.floats(5, 100) | st.just(np.inf))
 @settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.reuse, Phase.generate])
 def test_the_fastest_motion_keeps_its_limits(points, velocity, acceleration, per_acceleration):

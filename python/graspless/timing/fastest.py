@@ -72,7 +72,7 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
         if HELPED * before < excess.max() <= LITTLE:
             break
     grid, motion, most = best
-    times = _moments(motion, grid, FINAL_CHECKS)
+    times = np.append(_moments(motion, grid, FINAL_CHECKS), _between_jumps(motion))
     most = max(most, _excess(motion, zones, times, paces=False).max())
     return motion.slower(1 + MARGIN + 1.1 * float(most))
 
@@ -158,6 +158,14 @@ def _moments(motion: Motion, grid: Matrix, checks: int) -> Matrix:
     times = np.interp(grid, motion.at(knots)[0], knots)
     parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
     moments: Matrix = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
+    return moments
+
+
+def _between_jumps(motion: Motion) -> Matrix:
+    """Returns times at the ends and the middle of each part in which the jerk does not jump [s]."""
+    x = motion.profile.x
+    jumps = np.unique(np.concatenate([x, x + motion.window]))
+    moments: Matrix = (jumps[:-1, None] + np.diff(jumps)[:, None] * [1e-6, 0.5, 1 - 1e-6]).ravel()
     return moments
 
 
