@@ -39,6 +39,7 @@ REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
 ACCEPTED = 0.01  # relative excess above which the grid is refined
 LITTLE = 0.025  # relative excess that is refined only while that helps
+ROUNDING = 1e-9  # part of a motion, below which a window is lost in rounding
 HELPED = 0.7  # most of an excess that a refinement that helps leaves
 
 
@@ -163,6 +164,8 @@ def _moments(motion: Motion, grid: Matrix, checks: int) -> Matrix:
 
 def _between_jumps(motion: Motion) -> Matrix:
     """Returns times at the ends and the middle of each part in which the jerk does not jump [s]."""
+    if motion.window <= ROUNDING * motion.duration:
+        return np.empty(0)
     x = motion.profile.x
     jumps = np.unique(np.concatenate([x, x + motion.window]))
     moments: Matrix = (jumps[:-1, None] + np.diff(jumps)[:, None] * [1e-6, 0.5, 1 - 1e-6]).ravel()
