@@ -23,6 +23,7 @@ from graspless.simulation.slide import conditions
 from graspless.tasks import read_task
 from graspless_bench.physics import claims, fingertip_shapes, locked, report, tables, work
 from graspless_bench.physics import run as physics
+from graspless_bench.statistics import wilson
 from tasks_common import changed
 
 FAILURES = {"fell": "off the table", "not_grasped": "left behind", "hit": "touched"}
@@ -259,6 +260,8 @@ def test_promises_against_what_broke():
     assert text.startswith("Of 5 tests, 1 broke below what the row withstands")
     assert "Of 4 tests with a promise, 0 broke below it" in text
     assert "is 0.62 of what breaks it" in text  # of 1/0.95, 1/1.3, 1/1.6, 1/2 and 0
+    assert wilson(0, 1000, tables.ONE_SIDED)[1] == pytest.approx(0.0027, abs=1e-4)
+    assert wilson(500, 1000, tables.ONE_SIDED)[1] == pytest.approx(0.526, abs=1e-3)
 
 
 def test_only_rows_of_fingertip_plans_have_a_promise():

@@ -37,9 +37,9 @@ CHECKS = 4  # moments between two points of the grid at which limits are checked
 FINAL_CHECKS = 24
 REFINEMENTS = 4  # maximum number of refinements of the grid
 MARGIN = 1e-4  # for excess between the checked moments
+ROUNDING = 1e-9  # part of a motion, below which a window is lost in rounding
 ACCEPTED = 0.01  # relative excess above which the grid is refined
 LITTLE = 0.025  # relative excess that is refined only while that helps
-ROUNDING = 1e-9  # part of a motion, below which a window is lost in rounding
 HELPED = 0.7  # most of an excess that a refinement that helps leaves
 
 
@@ -73,7 +73,9 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
         if HELPED * before < excess.max() <= LITTLE:
             break
     grid, motion, most = best
-    times = np.append(_moments(motion, grid, FINAL_CHECKS), _between_jumps(motion))
+    times = _moments(motion, grid, FINAL_CHECKS)
+    if motion.window > ROUNDING * motion.duration:
+        times = np.append(times, _inside(_jumps(motion), 1))
     most = max(most, _excess(motion, zones, times, paces=False).max())
     return motion.slower(1 + MARGIN + 1.1 * float(most))
 
@@ -153,23 +155,23 @@ def _unit_of_time(path: Path, zones: Sequence[Zone]) -> float:
 
 def _moments(motion: Motion, grid: Matrix, checks: int) -> Matrix:
     """Returns times at which to check the motion [s]: `checks` + 2 in each part of the grid."""
-    x = motion.profile.x
-    knots = np.unique(np.concatenate([x, x + motion.window]))
+    knots = _jumps(motion)
     knots = np.sort(np.append(knots, (knots[1:] + knots[:-1]) / 2))
-    times = np.interp(grid, motion.at(knots)[0], knots)
-    parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
-    moments: Matrix = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
-    return moments
+    return _inside(np.interp(grid, motion.at(knots)[0], knots), checks)
 
 
-def _between_jumps(motion: Motion) -> Matrix:
-    """Returns times at the ends and the middle of each part in which the jerk does not jump [s]."""
-    if motion.window <= ROUNDING * motion.duration:
-        return np.empty(0)
+def _jumps(motion: Motion) -> Matrix:
+    """Returns the times at which the jerk along the path jumps [s]."""
     x = motion.profile.x
-    jumps = np.unique(np.concatenate([x, x + motion.window]))
-    moments: Matrix = (jumps[:-1, None] + np.diff(jumps)[:, None] * [1e-6, 0.5, 1 - 1e-6]).ravel()
-    return moments
+    jumps: Matrix = np.unique(np.concatenate([x, x + motion.window]))
+    return jumps
+
+
+def _inside(times: Matrix, checks: int) -> Matrix:
+    """Returns `checks` + 2 times between each two, the first and the last just inside [s]."""
+    parts = np.linspace(1e-6, 1 - 1e-6, checks + 2)
+    inside: Matrix = (times[:-1, None] + np.diff(times)[:, None] * parts).ravel()
+    return inside
 
 
 def _excess(motion: Motion, zones: Sequence[Zone], times: Matrix, *, paces: bool = True) -> Matrix:
