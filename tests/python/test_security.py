@@ -20,7 +20,7 @@ from pick_common import BAR, seen
 from tasks_common import GOOD, changed, fault, run, write_robot_with_mesh
 
 HEAD = '<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro">'
-REFUSED = "not allowed; --trust (in Python trust=True) allows it"
+REFUSED = "not allowed; --trust (in Python trust=True of load_task and pick) allows it"
 # An expression that gets round xacro's own restrictions and runs code.
 ESCAPE = (
     "${(lambda: [c for c in ().__class__.__base__.__subclasses__() if c.__name__ == "

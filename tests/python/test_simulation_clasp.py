@@ -267,9 +267,10 @@ def test_nothing_yields_in_a_locked_hand(plan, monkeypatch):
         moved.append(np.abs(world.positions - closed)[joints].max())
 
     monkeypatch.setattr(Execution, "run", run)
-    assert held_locked(plan, closed, [[1, 2]])[0]
+    assert held_locked(plan, closed, [[1, 2], [1, 7]])[0]
     assert max(moved) < 1e-5
-    assert 1e-5 < max(yielded) < 1e-3
+    assert 1e-5 < max(yielded) < 2e-3
+    assert np.quantile(yielded, 0.995) < 1e-3  # 1.4 mm with steps twice as long
 
 
 def test_the_same_again(plan, trial):

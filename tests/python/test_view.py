@@ -7,6 +7,7 @@ import re
 import shutil
 import socket
 import urllib.request
+from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -277,6 +278,18 @@ def test_unwritable_pictures(plan, tmp_path):
     for write in (view.write_png, view.write_html):
         with pytest.raises(TaskError, match="cannot be written"):
             write(plan, tmp_path / "none" / "a")
+
+
+def test_what_is_no_plan_is_told(plan, tmp_path):
+    for given in (str(tmp_path / "plan.json"), plan.task, None):
+        writes = (view.write_png, view.write_html)
+        takes = [view.figure, view.show, view.html, view.serve]
+        for use in [*takes, *(partial(write, path=tmp_path / "a") for write in writes)]:
+            with pytest.raises(
+                TaskError, match=r"plan: .*: should be a graspless\.Plan; .*load_plan"
+            ):
+                use(given)
+    assert not any(tmp_path.iterdir())
 
 
 def test_viewer_serves_until_ctrl_c(plan, tmp_path):

@@ -153,7 +153,7 @@ class Clasp:
     locked_armature: float = 1e4  # of a joint that is locked [kg m^2; kg]: a wrench moves it by
     # less than a micrometre. A choice
     locked_timing: float = 0.25  # time step and stiffness_time of a hand that is tested locked,
-    # relative to others: its surfaces yield by less than 1 mm
+    # relative to others: its surfaces yield by less than 1 mm, but in the hardest blows by 1.5 mm
     force: float = 15.0  # of a random wrench [N]; from the feasibility study, as the next four
     torque: float = 1.0  # of a random wrench, about the centre of mass [Nm]
     hold: float = 0.1  # time after which a new wrench is drawn [s]

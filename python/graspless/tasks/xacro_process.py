@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 SECONDS = 10  # [s]
 MEMORY = 2**30  # [byte]
 LONGEST = 2**26  # [characters] of the expanded file
-HINT = "not allowed; --trust (in Python trust=True) allows it"
+HINT = "not allowed; --trust (in Python trust=True of load_task and pick) allows it"
 HARMLESS = frozenset(("compile", "exec", "builtins.id", "glob.glob", "glob.glob/2"))  # audit events
 READING = frozenset(("open", "os.listdir", "os.scandir"))
 

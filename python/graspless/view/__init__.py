@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import files
-from ..errors import TaskError, missing
+from .._plan import Plan
+from ..errors import TaskError, missing, shown
 from ..kinds import part, require_motion
 
 if TYPE_CHECKING:
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from .. import geometry
-    from .._plan import Plan
     from ..perception import Scene
     from ..simulation.results import Recording
     from .hand import Proposal
@@ -53,6 +53,7 @@ def figure(plan: Plan) -> Figure:
 
     Raises TaskError if a solved plan has no rows to draw.
     """
+    _require_plan(plan)
     if plan:
         require_motion(plan, "draw")
     with _told():
@@ -62,6 +63,7 @@ def figure(plan: Plan) -> Figure:
 
 def show(plan: Plan) -> None:
     """Shows a replay: inline in a notebook, otherwise in the web browser."""
+    _require_plan(plan)
     with _told():
         from . import notebook
 
@@ -70,6 +72,7 @@ def show(plan: Plan) -> None:
 
 def html(plan: Plan) -> str:
     """Returns the view of a plan in a notebook: its summary and its picture."""
+    _require_plan(plan)
     from . import notebook
 
     return notebook.html(plan, figure)
@@ -151,6 +154,7 @@ def write_html(plan: Plan, path: str | Path, recording: Recording | None = None)
     TaskError
         The file cannot be written, or a package of `graspless[view]` is missing.
     """
+    _require_plan(plan)
     check_html(path)
     with _told():
         from .replay import as_html
@@ -198,6 +202,7 @@ def serve(plan: Plan, port: int = 8080) -> None:
     TaskError
         The port cannot be used, or a package of `graspless[view]` is missing.
     """
+    _require_plan(plan)
     with _told():
         from .replay import serve as run
 
@@ -210,6 +215,12 @@ def serve_proposal(proposal: Proposal, port: int = 8080) -> None:
         from .joints import serve as run
 
         run(proposal, port)
+
+
+def _require_plan(plan: object) -> None:
+    if not isinstance(plan, Plan):
+        what = "should be a graspless.Plan; graspless.load_plan reads one from its file"
+        raise TaskError(f"plan: {shown(plan)}: {what}")
 
 
 @contextlib.contextmanager
