@@ -89,6 +89,30 @@ def test_trials_that_fail_are_named_and_counted(plan_file, engine, capsys):
     assert "median" in out
 
 
+def test_what_was_held_but_not_lifted_is_told_from_what_fell(plan_file, monkeypatch, capsys):
+    creeps = iter([0.0002, 0.0004, 0.5])
+
+    def execute(plan, variation, *, record=False):
+        creep = next(creeps)
+        return Trial(
+            variation, ("dropped",), {"lift_height": 0.07 + 10 * creep, "creep": creep}, 0.5
+        )
+
+    monkeypatch.setattr("graspless.simulation.slide.run", execute)
+    _, out, _ = run(capsys, "simulate", plan_file, "--trials", "3")
+    assert "(in 2 of them it kept its place in the hand and rose by 72 to 74 mm)" in out
+    assert "was held but did not rise by 9 cm" in out
+    creeps = iter([0.5, 0.5])
+    _, out, _ = run(capsys, "simulate", plan_file)
+    assert "kept its place" not in out
+
+
+def test_a_pinch_has_no_slide_in_its_texts():
+    kind = simulation_kind("pinch")
+    texts = [*kind.FAILURES.values(), *kind.MEASURES.values()]
+    assert [text for text in texts if "slide" in text] == []
+
+
 def test_a_plan_that_does_not_hold_is_refused(plan_file, engine, capsys, tmp_path):
     plan = edited(graspless.load_plan(plan_file), tmp_path / "edited.json")
     code, out, err = run(capsys, "simulate", plan)

@@ -25,7 +25,8 @@ from graspless.simulation.slide.conditions import CONDITIONS, draw
 from graspless.simulation.slide.execution import Execution, overhang
 from graspless.simulation.slide.fingers import PAD, rub
 from graspless.simulation.slide.kick import Kick
-from graspless.simulation.slide.program import make_program, straight_lift
+from graspless.simulation.slide.lift import straight_lift
+from graspless.simulation.slide.program import make_program
 from graspless.simulation.slide.scene import HAND, OBJECT, build_scene
 from graspless.simulation.slide.shapes import even_points, plate_inertia, points_along
 from graspless.simulation.slide.truth import Body, Truth
@@ -506,6 +507,22 @@ def test_an_arm_that_cannot_rise_does_not_drop_the_object(plan, monkeypatch):
     trial = graspless.simulate(plan).trials[0]
     assert trial.failures == ("out_of_reach",)
     assert trial.measures["lift_reach"] == pytest.approx(0.05)
+
+
+def test_the_lift_ends_below_an_obstacle_that_the_plan_knows(plan):
+    q, problem = plan.segments[-1].positions[-1], plan.task.problem
+    above = problem.robot.pose("hand_base", q)[:3, 3]
+    box = geometry.PlacedShape(geometry.Box(np.array([0.1, 0.1, 0.02])))
+
+    def lifted(height):
+        roof = slide.Obstacle("roof", [box], frames.translation(above + [0.0, 0.0, height]))
+        return straight_lift(changed(plan, obstacles=[roof]), q, 0.1)
+
+    assert lifted(1.0)[1] == pytest.approx(0.1)
+    path, raised = lifted(0.12)
+    assert 0.02 < raised < 0.09
+    assert problem.robot.pose("hand_base", path[-1])[2, 3] - above[2] == pytest.approx(raised)
+    assert lifted(0.01)[1] == pytest.approx(0.1)  # it touches there from the beginning
 
 
 def test_overhang_is_how_far_the_outline_is_outside(plan):

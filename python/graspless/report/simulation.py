@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..simulation import simulation_kind
+from ..simulation.settings import Slide
 from . import count
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]
     for name, times in found.failures.items():
-        meaning = failures[name] + _bodies(name, found)
+        meaning = failures[name] + _bodies(name, found) + _rise(name, found)
         lines.append(f"  {name} in {count(times, 'trials')}: {meaning}")
     lines += [f"  {line}" for line in _table(found.trials, measures)]
     if disturbed is not None:
@@ -56,6 +57,18 @@ def _bodies(failure: str, found: Simulation) -> str:
     (most, _), *others = Counter(pairs).most_common()
     more = f", and {count(len(others), 'other pairs')}" if others else ""
     return f" ({most[0]} and {most[1]}{more})"
+
+
+def _rise(failure: str, found: Simulation) -> str:
+    """Returns how far the hand lifted what stayed in it, in brackets; empty for other failures."""
+    failed = [trial.measures for trial in found.trials if failure in trial.failures]
+    kept = [m for m in failed if "lift_height" in m and m["creep"] <= Slide().kept]
+    if failure != "dropped" or not kept:
+        return ""
+    rises = sorted({round(1e3 * m["lift_height"]) for m in kept})
+    rose = " to ".join(str(rise) for rise in sorted({rises[0], rises[-1]}))
+    of = "" if len(failed) == 1 else f"in {len(kept)} of them "
+    return f" ({of}it kept its place in the hand and rose by {rose} mm)"
 
 
 def _table(trials: list[Trial], measures: dict[str, str]) -> list[str]:

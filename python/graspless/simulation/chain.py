@@ -55,6 +55,10 @@ FAILURES = {
     **carried.FAILURES,
     **moved.FAILURES,
     **SLIDE_FAILURES,
+    "off_target": "a slide ended with the object off its planned pose, or the closing fingers of a "
+    "pinch moved it off",
+    "dropped": "the object left the hand while it was carried, moved in it, stayed behind, or was "
+    "held but not brought to where it was to be carried",
     "not_placed": "the object did not stand free of the hand, where it was to be put down",
 }
 MEASURES = {

@@ -27,6 +27,7 @@ MEASURES |= {
     "angle_error": "angle that the closing fingers turned the object by [rad]",
 }
 FAILURES = {name: text for name, text in SLIDE_FAILURES.items() if name != "tip_lost"}
+FAILURES |= {"off_target": "the closing fingers moved the object off its planned pose"}
 SPREAD = SLIDE_SPREAD
 
 

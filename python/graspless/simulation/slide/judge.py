@@ -27,8 +27,10 @@ FAILURES = {
     "fell": "the object fell off the table",
     "hit": "two bodies touched that must not",
     "not_grasped": "the hand closed without grasping the object",
-    "dropped": "the object fell out of the hand during lift or hold, or stayed behind",
-    "out_of_reach": "the grasp held, but the arm could not lift straight up as high as requested",
+    "dropped": "the object fell out of the hand during lift or hold, stayed behind, or was held "
+    "but did not rise by 9 cm",
+    "out_of_reach": "the grasp held, but the arm cannot lift straight up there as high as "
+    "requested: at its limits, or without touching itself, the support or an obstacle",
 }
 # Two more in a true world, where others stand beside the object, and what was seen is not all:
 # knocked: a body beside the object was moved by more than 2 cm, or tilted by 20 degrees;

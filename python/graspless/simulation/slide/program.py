@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from ... import frames, robot
 from ...timing.squeeze import beyond
+from .lift import straight_lift
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
     from ..settings import Slide
 
 SQUEEZE, RAISE, HOLD, REST = "squeeze", "raise", "hold", "rest"
-_WAYPOINTS = 21  # of the straight lift
-_JUMP = 0.3  # a joint that moves by more between them has left its branch [rad or m]
-_TURNS = (0.0, 0.05, -0.05, 0.1, -0.1)  # of the hand between them, tried in turn [rad]
 
 
 @dataclass(frozen=True)
@@ -199,34 +196,3 @@ def _along(path: Matrix, t: Matrix) -> Matrix:
     """[N, dof] a path of even waypoints at t, from 0 to 1."""
     s = np.linspace(0, 1, len(path))
     return np.stack([np.interp(t, s, column) for column in path.T], axis=1)
-
-
-def straight_lift(plan: Plan, q: Matrix, height: float) -> tuple[Matrix, float]:
-    """Returns the path [N, dof] that lifts the hand straight up from q, and the height reached [m].
-
-    The hand turns about the vertical only if it cannot rise otherwise.
-    """
-    problem = plan.task.problem
-    hand = problem.hand
-    ik = robot.Ik(problem.robot, hand.grasp_frame, hand.arm)
-    X_WH = np.array(problem.robot.pose(hand.grasp_frame, q))
-    steps = np.linspace(0, height, _WAYPOINTS)
-    path, yaw = [q], 0.0
-    for up in steps[1:]:
-        for turn in _TURNS:
-            found = ik.solve_near(_raised(X_WH, up, yaw + turn), path[-1])
-            if found is not None and np.abs(found - path[-1]).max() < _JUMP:
-                path.append(np.array(found))
-                yaw += turn
-                break
-        else:
-            break
-    raised = float(steps[len(path) - 1])
-    return np.array(path if len(path) > 1 else [q, q]), raised
-
-
-def _raised(X_WH: Matrix, up: float, yaw: float) -> Matrix:
-    """Returns a pose of the hand, lifted [m] and turned about its vertical axis [rad]."""
-    X_WR = frames.planar(0.0, 0.0, yaw) @ X_WH
-    X_WR[:3, 3] = X_WH[:3, 3] + [0.0, 0.0, up]
-    return X_WR
