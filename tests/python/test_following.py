@@ -117,6 +117,32 @@ def test_targets_have_bounded_speed_acceleration_and_jerk(plan, happens):
     assert np.abs(jerk).max() < bends * JERK * ACCELERATION[0]
 
 
+@pytest.mark.parametrize("yaw", [-0.06, 0.08])
+def test_a_shifted_path_near_a_singularity_keeps_the_limits(yaw):
+    plan = graspless.plan(_data.directory("examples") / "03_tilted_l_table.yaml")
+    world = World(plan, rate=100.0, camera=3, yaw=yaw)
+    world.run(lambda target: target.phase == "press")
+    assert (world.follower.resumes, world.follower.restarts) == (0, 0)
+    (velocity, acceleration, _), _ = derivatives(world)
+    assert (np.abs(velocity) / np.array(world.robot.max_velocity)).max() < 0.9
+    assert np.abs(acceleration).max() < 1.5 * ACCELERATION[0]
+
+
+@pytest.mark.parametrize("gap", [0.05, 0.5, 30.0])
+def test_after_a_pause_targets_go_on_smoothly(plan, gap):
+    world = World(plan, rate=100.0, camera=0)
+    world.run(lambda target: np.abs(target.velocity).max() > 1.2)
+    before, period = world.q, 1 / world.rate
+    world.t += gap - period
+    positions = [before, *(world.step().position for _ in range(50))]
+    speeds = np.abs(np.diff(positions, axis=0)).max(axis=1) * world.rate
+    assert np.abs(positions[1] - before).max() < 3 * period * 1.3
+    if gap > 0.1:  # the robot stands by then
+        assert speeds[0] < 0.2
+        assert np.abs(np.diff(speeds)).max() * world.rate < 2 * ACCELERATION[0]
+        assert speeds[-1] > 0.5
+
+
 @pytest.mark.parametrize("max_jerk", [JERK * ACCELERATION[0], 1e5])
 def test_targets_of_a_fast_loop_are_as_smooth(plan, max_jerk):
     """Between samples of the motion they would go straight on, and then turn at once."""

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -174,6 +175,28 @@ def test_a_kick_leads_to_a_new_plan(plan, kick, rests):
     assert "retreat" not in phases(world)
     assert world.error()[0] < 0.004
     assert world.error()[1] < np.radians(2)
+
+
+@pytest.mark.parametrize(("phase", "restarts"), [("grasp", 1), ("close", 0)])
+def test_an_object_that_is_kicked_before_the_hand_has_closed(plan, phase, restarts):
+    world = World(plan, **CAMERA)
+    world.run(lambda target: target.phase == phase)
+    world.kick(0.015, 0.02, 0.0)
+    target = world.run()
+    assert (target.status, world.follower.restarts) == ("done", restarts)
+    place = "the hand has closed; the object is 2[3-7] mm from its place in it"
+    assert re.fullmatch(place if phase == "close" else "", target.reason)
+    if phase == "grasp":
+        assert world.error()[0] < 0.004
+
+
+def test_a_hand_that_closes_on_nothing_says_so(plan):
+    world = World(plan)
+    world.run(lambda target: target.phase == "close")
+    world.X_WO[2, 3] -= 0.5
+    target = world.run()
+    assert target.status == "done"
+    assert target.reason == "the hand has closed; the object is off its support in 5 poses"
 
 
 @pytest.mark.parametrize(("kick", "restarts"), [((-0.006, 0.005, 0.0), 0), ((-0.02, 0.02, 0.0), 1)])

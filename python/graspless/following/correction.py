@@ -55,6 +55,10 @@ class Correction:
         self._climb += float(np.clip(climb - self._climb, -most, most))
         self.height += self._climb * seconds
 
+    def rest(self) -> None:
+        """Stays where it is."""
+        self._rate, self._climb = np.zeros(3), 0.0
+
     @property
     def rests(self) -> bool:
         """True if the shift does not move."""

@@ -72,10 +72,8 @@ class Course:
         self._offset = none if q is None else q - self._now[1][1]
         start = self._timed.at(np.zeros(1)).velocities[0]
         self._drift = none if velocity is None else velocity - start
-        acceleration = np.min([zone.limits.acceleration for zone in zones], axis=0)
-        fades = 4 * np.abs(self._drift) / acceleration
-        shifts = np.sqrt(6 * np.abs(self._offset) / acceleration)
-        self._fades = max(_SHORTEST, float(fades.max()), float(shifts.max()))
+        self._acceleration = np.min([zone.limits.acceleration for zone in zones], axis=0)
+        self._fades = self._fading()
 
     @property
     def has_ended(self) -> bool:
@@ -94,6 +92,19 @@ class Course:
         self.rate += float(np.clip(rate - self.rate, -step, step))
         self.clock = min(self.clock + seconds * (before + self.rate) / 2, self._timed.duration)
         self._since += seconds
+
+    def rest(self, offset: Matrix) -> None:
+        """Starts again from rest, `offset` [dof] away from where it is now."""
+        self._offset = self._left(0.0) + offset
+        self._drift = np.zeros_like(offset)
+        self.rate = self._since = 0.0
+        self._fades = self._fading()
+
+    def _fading(self) -> float:
+        """Returns the time in which the motion before fades [s]."""
+        fades = 4 * np.abs(self._drift) / self._acceleration
+        shifts = np.sqrt(6 * np.abs(self._offset) / self._acceleration)
+        return max(_SHORTEST, float(fades.max()), float(shifts.max()))
 
     def position(self, ahead: float = 0.0) -> Matrix:
         """Returns the joints [dof] now, or `ahead` seconds from now."""

@@ -21,6 +21,7 @@ _PAUSE = 0.05  # between segments [s]
 _IN_VAIN = 0.8  # of the largest turn
 _BACK = 1e-4, 1e-3  # of the plan's own path, where the hand counts as on it [m, rad]
 _TRIED = 0.05  # turn of the hand after which it is known how far the object follows [rad]
+_NEAR = 0.5  # of what is corrected in place, where the hand may close
 _FOLLOWS = 0.3  # part of it that an object has to follow at least
 ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object
 
@@ -148,13 +149,16 @@ class Deviation:
         """Returns True if the next segment may begin, `still` seconds after the end of this one.
 
         After the slide the object has to be near its goal, unless there are no poses, or it does
-        not turn with the hand.
+        not turn with the hand. After the grasp the hand has to be near the object.
         """
         if self.course.name == "press":
             return still >= settings.settle_seconds
+        off, turn = np.hypot(*self.error[:2]), abs(self.error[2])
+        if self.course.name == "grasp":
+            near = off < _NEAR * settings.correct and turn < _NEAR * settings.correct_angle
+            return still >= (_PAUSE if near or is_blind else settings.settle_most)
         if self.course.name != "slide":
             return still >= _PAUSE
-        off, turn = np.hypot(*self.error[:2]), abs(self.error[2])
         is_turned = is_stuck or turn < settings.settled_angle
         near = is_blind or (off < settings.settled and is_turned)
         return bool((still >= settings.settle_seconds and near) or still >= settings.settle_most)

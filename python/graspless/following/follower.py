@@ -25,9 +25,10 @@ if TYPE_CHECKING:
     from ..timing.settings import PerJoint
 
 GRASP = "grasp"
-_LONGEST = 0.1  # step of the clock; a loop that is later slips [s]
+_LONGEST = 0.1  # time without a new target after which the motion starts again from rest [s]
+_LATE = 3.0  # usual times between calls, after which the motion slips
 _FALLEN = 5  # successive poses off the support after which the object has fallen
-_PLANNED_ANEW = ("approach", "slide", "reach")  # where larger deviations lead to a new plan
+_PLANNED_ANEW = ("approach", "slide", "reach", GRASP)  # where larger deviations lead to a new plan
 _NO_STEP = np.zeros(3), 0.0
 
 
@@ -107,7 +108,7 @@ class Follower(Pursuit):
         ----------
         t : float
             Time, increasing from call to call [s]. Where it does not, or jumps by more than 1 s,
-            nothing moves in this call. The next one may go on from there.
+            nothing moves in this call. The next one may go on from there, from rest.
         q : array [dof]
             Measured joints, in the order of the plan's joint_names [rad or m].
         pose : array [4, 4], optional
@@ -125,14 +126,17 @@ class Follower(Pursuit):
             return self._target("none", np.zeros_like(self._motion.target))
 
     def _update(self, t: float, q: Any, pose: Any, covariance: Any, age: float) -> Target:
+        late = _LATE * self._clock.period
         since, fault = self._clock.step(t)
         if fault:
             return self._untimed(fault, q, pose)
-        seconds, seen = min(since, _LONGEST), "none"
+        if since > max(_LONGEST, late):
+            self._motion.rest()
+        seconds, seen = min(since, _LONGEST, late), "none"
         self._t = self._clock.now
         if pose is not None:
             seen = self._camera.see(self._t, pose, covariance, age, self._motion.lag, self.estimate)
-        waits = self._waits(q, seconds)
+        waits = self._waits(q, min(since, _LONGEST))
         if self._camera.off >= _FALLEN and self._course.name != "close":
             self._stop(f"the object is off its support in {_FALLEN} successive poses")
         if self._is_looking:
@@ -144,6 +148,7 @@ class Follower(Pursuit):
 
     def _untimed(self, fault: str, q: Any, pose: Any) -> Target:
         """Moves nothing: it is not known how far. The joints are checked nevertheless."""
+        self._motion.rest()
         waits, is_lost = self._watch.joints(self._clock.period, q, self._motion.target)
         if self._clock.is_lost:
             self._is_held = True
@@ -199,7 +204,11 @@ class Follower(Pursuit):
         before = self._deviation.commanded
         self._correction.move(seconds, self._deviation.pivot, *step)
         halted = halted or bool(self._restart or self._is_braking)
-        self._course.advance(seconds, 0.0 if halted else 1.0, self.settings.brake_seconds)
+        pace, braking = self._motion.pace, self.settings.brake_seconds
+        if halted:
+            self._course.advance(seconds, 0.0, braking)
+        else:
+            self._course.advance(seconds, pace, 2 * braking)
         if self._course.name in IN_CONTACT:
             self.estimate.carry(self._t, before, self._deviation.commanded)
         if waits or self._stopped:
@@ -215,6 +224,16 @@ class Follower(Pursuit):
                 return
             if self._deviation.has_settled(self._still, is_blind, settings, self._is_stuck):
                 self._end()
+                self._reason = self._doubt() if self.is_done else self._reason
+
+    def _doubt(self) -> str:
+        """Returns why the hand may have closed on nothing, or an empty text."""
+        if self._camera.off >= _FALLEN:
+            return f"the hand has closed; the object is off its support in {_FALLEN} poses"
+        off = float(np.hypot(*(self._deviation.commanded - self.estimate.place)[:2]))
+        if off > self.settings.grasp_correct:
+            return f"the hand has closed; the object is {1e3 * off:.0f} mm from its place in it"
+        return ""
 
     def _settle(self, seconds: float) -> None:
         """Counts the time since the segment ended, and notes an object that does not turn."""
@@ -241,7 +260,7 @@ class Follower(Pursuit):
         self._is_blocked = True
         if self._course.name in IN_CONTACT:
             self._is_braking, self._reason = True, reason
-        elif self._course.name in (*_PLANNED_ANEW, GRASP):
+        elif self._course.name in _PLANNED_ANEW:
             self._restart = self._restart or reason
         else:
             self._stop(reason)
@@ -250,7 +269,7 @@ class Follower(Pursuit):
         if self._stopped:
             status, reason = "stopped", self._stopped
         elif self.is_done:
-            status, reason = "done", ""
+            status, reason = "done", self._reason
         elif waits or self._restart:
             status, reason = "waiting", waits or self._restart
         else:

@@ -13,6 +13,7 @@ from ..timing.slide import touch
 from .average import Average
 from .correction import Correction
 from .course import Course
+from .pace import Pace
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -53,6 +54,7 @@ class Motion:
         self.velocity = np.zeros_like(q)
         self._rate: Matrix = np.zeros_like(q)  # velocity of the target
         self.correction = Correction(settings)
+        self._pace = Pace(hand, limits, 2 * settings.brake_seconds)
         self.course: Course
         self.take(first)
 
@@ -70,6 +72,22 @@ class Motion:
     def base(self) -> Matrix:
         """Aim [dof] without the correction of the height."""
         return self._hand.shifted(self.course.position(), self.correction.motion, 0.0)
+
+    @property
+    def pace(self) -> float:
+        """Rate of the course, up to 1, at which the shifted path keeps the limits."""
+        return self._pace.rate(self.course, self.correction)
+
+    def rest(self) -> None:
+        """Stays at the last target, at rest, from where the motion starts again.
+
+        For a robot that has had no new target for a while.
+        """
+        self.course.rest(self.target - self._aim)
+        self.correction.rest()
+        self._average = Average(self.window, self.target)
+        self._aim = self.target
+        self.velocity = self._rate = np.zeros_like(self.target)
 
     def take(self, segment: Any, q: Matrix | None = None, velocity: Matrix | None = None) -> None:
         """Goes on with another segment, at its first row or at q [dof] with a velocity [dof]."""

@@ -154,7 +154,8 @@ class Target:
         looking: waiting at rest for poses; moving; waiting: come, or coming, to rest for a reason
         that may pass; done: the hand has closed; stopped: given up.
     reason : str
-        Reason of waiting and stopping, and of the last new plan; empty if there was none.
+        Reason of waiting and stopping, and of the last new plan; empty if there was none. When
+        done: the reason for which the hand may have closed on nothing.
     phase : str
         Segment of the plan, or retreat: lifting off to begin anew.
     pose : str
