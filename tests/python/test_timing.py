@@ -347,11 +347,43 @@ def test_sampling_keeps_the_limits_and_the_ends(name):
     again = trajectory.at(trajectory.times)
     np.testing.assert_array_equal(again.segment_index, trajectory.segment_index)
     np.testing.assert_allclose(again.rows, trajectory.rows, atol=1e-12)
-    np.testing.assert_allclose(again.positions, trajectory.positions, atol=1e-12)
+    for what in ("positions", "velocities", "accelerations"):
+        np.testing.assert_array_equal(getattr(again, what), getattr(trajectory, what))
     np.testing.assert_allclose(again.object_poses, trajectory.object_poses, atol=1e-12)
     held = trajectory.at([-1.0, trajectory.duration + 1])
     assert held.names == [trajectory.names[0], trajectory.names[-1]]
     np.testing.assert_allclose(held.positions, trajectory.positions[[0, -1]], atol=1e-12)
+
+
+@pytest.mark.parametrize("rate", [100.0, 250.0, 500.0, 1000.0])
+@pytest.mark.parametrize("name", ARMS)
+def test_differences_of_dense_samples_keep_the_limits(name, rate):
+    """A controller that gets positions alone differentiates them."""
+    dense, step = timed(name).sampled(rate), timed(name).sampled(rate).times[1]
+    velocities = np.diff(dense.positions, axis=0) / step
+    accelerations = np.diff(velocities, axis=0) / step
+    jerks = np.diff(accelerations, axis=0) / step
+    top = settings.ACCELERATION[0]
+    assert (np.abs(velocities) <= np.asarray(arm_of(planned(name)).max_velocity) * 1.001).all()
+    assert np.abs(accelerations).max() <= 1.01 * top
+    assert np.abs(dense.accelerations).max() <= 1.01 * top
+    assert np.abs(jerks).max() <= 1.15 * settings.JERK * top
+    truth = timed(name, rate=4000.0).at(dense.times)
+    np.testing.assert_allclose(dense.positions, truth.positions, atol=1e-6)
+    np.testing.assert_allclose(dense.velocities, truth.velocities, atol=2e-3)
+
+
+@pytest.mark.parametrize("name", ["slide", "carried"])
+def test_between_the_samples_of_a_pause_nothing_moves(name):
+    trajectory = timed(name)
+    rests = np.flatnonzero(np.diff(trajectory.times) > 0.999 * settings.PAUSE)
+    assert len(rests)
+    for k in rests:
+        paused = trajectory.at(trajectory.times[k] + settings.PAUSE * np.linspace(0.1, 0.9, 9))
+        here = np.broadcast_to(trajectory.positions[k], paused.positions.shape)
+        np.testing.assert_allclose(paused.positions, here, rtol=0, atol=1e-14)
+        assert np.abs(paused.velocities).max() < 1e-12
+        assert np.abs(paused.accelerations).max() < 1e-10
 
 
 def test_the_timed_motion_passes_the_plan_s_own_check():
