@@ -125,6 +125,14 @@ def test_a_plain_cloud_and_its_viewpoint_give_the_scene():
         perception.view_of_cloud(np.full((200, 3), np.nan), [0, 0, 1])
 
 
+def test_the_noise_of_a_cloud_does_not_lift_its_table():
+    """The nearest of the points in each pixel would lift it by 1 to 2 mm."""
+    cloud = frames.transform(X_WC, points_of(FRAME)[FRAME.depth > 0])
+    found = perception.perceive_views([perception.view_of_cloud(cloud, X_WC[:3, 3])])
+    table = next(s for s in found.supports if s.X_WS[2, 3] > 0.3)
+    assert table.X_WS[2, 3] == pytest.approx(0.4, abs=0.0003)
+
+
 @pytest.mark.parametrize(
     ("factor", "eye", "words"),
     [

@@ -65,9 +65,15 @@ def test_a_dense_cloud_keeps_its_own_depths_in_as_many_pixels_as_points(cloud):
             view = perception.view_of_cloud(points, EYE)
         p_CP = (points - EYE) @ view.X_WC[:3, :3]
         columns, rows, _ = np.rint((p_CP / p_CP[:, 2:]) @ view.K.T).astype(int).T
-        depth = np.full(view.depth.shape, np.inf)
-        np.minimum.at(depth, (rows, columns), p_CP[:, 2])
-        assert np.array_equal(view.depth, np.where(np.isinf(depth), 0, depth).astype(np.float32))
+        count, nearest, farthest = (np.full(view.depth.shape, v) for v in (0, np.inf, 0.0))
+        np.add.at(count, (rows, columns), 1)
+        np.minimum.at(nearest, (rows, columns), p_CP[:, 2])
+        np.maximum.at(farthest, (rows, columns), p_CP[:, 2])
+        assert np.array_equal(view.depth > 0, count > 0)
+        lone, several = count == 1, count > 1
+        assert np.array_equal(view.depth[lone], nearest[lone].astype(np.float32))
+        assert (view.depth[several] >= nearest[several].astype(np.float32)).all()
+        assert (view.depth[several] <= farthest[several].astype(np.float32)).all()
         assert view.depth.size == pytest.approx(len(points), rel=0.02)
 
 

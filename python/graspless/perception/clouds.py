@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._core.perception import Camera, View
+from .._core.perception import Camera, Options, View
 from ..errors import warn
 from . import sparse
 from .rendering import look_at
@@ -28,6 +28,7 @@ _MOST, _FEWEST = 640, 64  # pixels along its side
 _FARTHEST = 1e9  # coordinates [m]
 _SPARSE = 0.3  # share of gaps from which on they are bridged
 _OPEN = 0.05  # share of gaps that may remain
+_SIGMAS = 6.0  # between the nearest and the farthest of the points of one surface in a pixel
 _GROWTH = 1.15  # of the pixels, until the rest is bridged
 
 
@@ -159,10 +160,7 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
     # As many pixels as points, over the rectangle that they fill.
     side = float(np.sqrt(4 * slopes[0] * slopes[1] / len(cloud)))
     size, K = _camera(slopes, side)
-    depth = np.full((size[1], size[0]), np.inf)
-    uv = np.rint(_pixels(p_CP, K)).astype(int)
-    uv = np.clip(uv, 0, np.array(size) - 1)
-    np.minimum.at(depth, (uv[:, 1], uv[:, 0]), p_CP[:, 2])
+    depth = _depths(p_CP, size, K)
     if (gaps := sparse.gaps_of(depth)).share > _SPARSE:
         _warn_of_spacing(gaps, K)
         depth, K = _closed(p_CP, slopes, side)
@@ -181,6 +179,25 @@ def _camera(slopes: Matrix, side: float) -> tuple[list[int], Matrix]:
 
 def _pixels(p_CP: Matrix, K: Matrix) -> Matrix:
     return np.asarray(p_CP[:, :2] / p_CP[:, 2:] * [K[0, 0], K[1, 1]] + K[:2, 2])
+
+
+def _depths(p_CP: Matrix, size: list[int], K: Matrix) -> Matrix:
+    """Returns an image with the mean depth of the points of the nearest surface in each pixel.
+
+    The nearest point alone would lift all surfaces by their noise. Infinite: there is no point.
+    """
+    columns, rows = np.clip(np.rint(_pixels(p_CP, K)).astype(int), 0, np.array(size) - 1).T
+    at, z = rows * size[0] + columns, p_CP[:, 2]
+    nearest = np.full(size[0] * size[1], np.inf)
+    np.minimum.at(nearest, at, z)
+    nearest = nearest[at]
+    noise = Options().noise_constant + Options().noise_quadratic * nearest**2
+    pitch = 1 / min(K[0, 0], K[1, 1])
+    is_one = z - nearest < _SIGMAS * noise + sparse.STEEPEST * pitch * nearest
+    count = np.bincount(at[is_one], minlength=size[0] * size[1])
+    total = np.bincount(at[is_one], z[is_one], size[0] * size[1])
+    mean = np.where(count > 0, total / np.maximum(count, 1), np.inf)
+    return np.asarray(mean.reshape(size[1], size[0]))
 
 
 def _closed(p_CP: Matrix, slopes: Matrix, side: float) -> tuple[Matrix, Matrix]:

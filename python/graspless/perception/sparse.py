@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _REACH = 2  # pixels from a gap to the points beside it
 _ROUNDS = 2  # in which gaps are bridged
-_STEEPEST = 2.5  # tangent of the angle between ray and normal on one surface
+STEEPEST = 2.5  # tangent of the angle between ray and normal on one surface
 _UNEVEN = 0.01  # difference of depth that is always allowed [m]
 _SMALLEST = 0.02  # variance that is added to the places of points [pixels^2]
 _AHEAD = [(0, 1), (1, 0), (1, 1), (1, -1), (0, 2), (2, 0), (2, 2), (2, -2)]  # rows and columns
@@ -120,7 +120,7 @@ def resampled(points: Nearest, depth: Matrix, pitch: float) -> Matrix:
 
 def _allowed(depth: Matrix, angle: float) -> Matrix:
     """Returns the largest difference of depth on one surface."""
-    return np.asarray(_UNEVEN + _STEEPEST * angle * depth)
+    return np.asarray(_UNEVEN + STEEPEST * angle * depth)
 
 
 def _opposite(depth: Matrix) -> Iterator[tuple[Matrix, Matrix, float]]:
