@@ -96,6 +96,19 @@ def test_robots_of_installed_packages(name):
     assert row["slides"]["faults"] == 0
 
 
+def test_the_home_of_an_arm_on_a_table_is_above_it():
+    """Farther in front, the hand of this arm points down at the height of its base."""
+    (member,) = (member for member in fleet.FLEET if member.name == "Z1")
+    try:
+        files = member.resolved()
+    except importlib.metadata.PackageNotFoundError as error:
+        pytest.skip(f"{error.name} is not installed")
+    found = robot.inspect(files["urdf"])
+    X_WH = found.robot.pose("grasp", found.robot.state("home", found.robot.state("open")))
+    assert X_WH[2, 3] > 0.08
+    assert X_WH[2, 2] == pytest.approx(-1, abs=1e-6)
+
+
 ELBOW_DOWN = {"shoulder_lift": -0.479, "elbow": -0.960, "wrist_1": -0.132}
 
 

@@ -30,7 +30,8 @@ MARGIN = 0.1  # distance kept from the limits, as a fraction of the joint's rang
 # Distances of the hand from the base and heights over it, as fractions of the arm's reach. Arms on
 # a torso reach tables that are below their base.
 DISTANCES = (0.45, 0.55, 0.35, 0.65)
-HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1, 0.0, -0.2, -0.4))
+HEIGHTS = ((0.4, 0.3, 0.5, 0.2), (0.1,), (0.0, -0.2, -0.4))
+ABOVE = 0.05  # height over the plane in which a robot stands, as a fraction of the reach
 # Depth of the elbow below the line from shoulder to wrist that still counts as up, as a fraction of
 # the reach.
 LOW = 0.01
@@ -111,7 +112,10 @@ def find_home(
     if down is not None:
         reason = "free of collision, away from the limits, the hand points down"
         elbow = "" if search.is_elbow_up(down) else ", with the elbow down"
-        return Home(down, reason + elbow, True)
+        if search.is_above(down, 0.0):
+            return Home(down, reason + elbow, True)
+        low = "; a table on which the robot stands would be in the way of the hand"
+        return Home(down, reason + elbow + low, False)
     level = search.drawn()
     if level is None:
         return None
@@ -194,9 +198,9 @@ class _Search:
     def is_free(self, q: Matrix) -> bool:
         return bool(self.scene.is_free(q))
 
-    def _is_above(self, q: Matrix) -> bool:
-        """True if the hand is over the plane that the arm stands on."""
-        return bool(self._pose(q)[2, 3] > self.base[2] + 0.05 * self.reach)
+    def is_above(self, q: Matrix, plane: float) -> bool:
+        """True if the hand is over a horizontal plane at a height [m]."""
+        return bool(self._pose(q)[2, 3] > plane + ABOVE * self.reach)
 
     def is_elbow_up(self, q: Matrix) -> bool:
         """True if the arm bends upwards from the straight line from its first to its last link."""
@@ -252,6 +256,6 @@ class _Search:
         for _ in range(SAMPLES):
             q = self.draw()
             z = float(self._pose(q)[2, 2])
-            if z < lowest and self._is_above(q) and self.is_free(q):
+            if z < lowest and self.is_above(q, self.base[2]) and self.is_free(q):
                 best, lowest = q, z
         return best
