@@ -2,13 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Slices of a robot's meshes, which MuJoCo tests in their place."""
 
+import re
+from types import SimpleNamespace
+
 import mujoco
 import numpy as np
 import pytest
+import yaml
 
+from graspless import _data
 from graspless.robot import Robot
 from graspless.simulation.parts import slice_links, slices
-from graspless.simulation.robots import robot_spec
+from graspless.simulation.robots import robot_spec, set_positions
+from graspless.simulation.slide.fingers import OTHER, SLIDING, whole_fingers
+from graspless.simulation.slide.scene import build_scene
+from graspless.simulation.variation import Variation
+from graspless.tasks import read_task
 from graspless.tasks.robots import Robot as Fields
 
 scipy_spatial = pytest.importorskip("scipy.spatial")
@@ -39,6 +48,13 @@ def waisted(sides=12):
     return vertices, np.array(triangles)
 
 
+def write_waisted(path):
+    vertices, triangles = waisted()
+    lines = [f"v {x} {y} {z}" for x, y, z in vertices]
+    lines += ["f " + " ".join(str(i + 1) for i in face) for face in triangles]
+    path.write_text("\n".join(lines))
+
+
 def contains(points, p, tolerance=1e-9):
     equations = scipy_spatial.ConvexHull(points).equations
     return bool((equations[:, :3] @ p + equations[:, 3] <= tolerance).all())
@@ -67,10 +83,7 @@ def test_a_flat_surface_stays_whole():
 @pytest.fixture
 def touches(tmp_path):
     """Tells whether a ball at a place touches the waisted link, which is sliced or left whole."""
-    vertices, triangles = waisted()
-    lines = [f"v {x} {y} {z}" for x, y, z in vertices]
-    lines += ["f " + " ".join(str(i + 1) for i in face) for face in triangles]
-    (tmp_path / "waisted.obj").write_text("\n".join(lines))
+    write_waisted(tmp_path / "waisted.obj")
     link = '<collision><geometry><mesh filename="waisted.obj"/></geometry></collision>'
     urdf = (
         f'<robot name="r"><link name="base">{INERTIAL}</link><link name="bar">{INERTIAL}{link}</link>'
@@ -97,3 +110,53 @@ def test_a_waisted_link_is_touched_where_its_mesh_is(touches):
     assert not touches(beside_waist, whole=[])
     assert touches(in_waist, whole=[])
     assert touches(in_end, whole=[])
+
+
+def world_of(robot):
+    """The world of a box and a robot before anything is planned, with its problem."""
+    document = yaml.safe_load((_data.directory("examples") / "25_pinch_box.yaml").read_text())
+    document["robot"] = {"urdf": str(robot)}
+    task = read_task(yaml.safe_dump(document), "box.yaml")
+    segment = SimpleNamespace(object_poses=np.array([task.problem.X_WO_start]))
+    plan = SimpleNamespace(task=task, segments=[segment])
+    return build_scene(plan, Variation()).model, task.problem
+
+
+def is_inside(model, problem, name, link, p_L):
+    """Whether a point of a link is in a shape of one of its bodies that can touch."""
+    data, q = mujoco.MjData(model), np.array(problem.robot.state(problem.hand.open))
+    set_positions(model, data, problem.robot, q)
+    p_W = (problem.robot.pose(link, q) @ [*p_L, 1.0])[:3]
+    for geom in np.flatnonzero(model.geom_bodyid == model.body(name).id):
+        if model.geom_contype[geom] and model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
+            mesh = model.geom_dataid[geom]
+            first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
+            p_G = data.geom_xmat[geom].reshape(3, 3).T @ (p_W - data.geom_xpos[geom])
+            if contains(model.mesh_vert[first : first + count], p_G, 1e-6):
+                return True
+    return False
+
+
+def test_a_finger_that_is_not_convex_is_sliced(tmp_path):
+    write_waisted(tmp_path / "waisted.obj")
+    for part in (".urdf", ".srdf", ".hand.yaml"):
+        text = (_data.directory("urdf") / f"wam_t42{part}").read_text()
+        mesh = (
+            '<collision><origin rpy="0 -1.570796 0"/><geometry>'
+            '<mesh filename="waisted.obj" scale="0.24 0.17 0.17"/></geometry></collision>'
+        )
+        for link in re.findall(r'<link name="(?:left|right)_finger">.*?</link>', text, re.S):
+            shaped = re.sub(r"<collision>.*?</collision>", "", link, flags=re.S)
+            text = text.replace(link, shaped.replace("</link>", f"{mesh}</link>"))
+        (tmp_path / f"mine{part}").write_text(text)
+    model, problem = world_of(tmp_path / "mine.urdf")
+    assert whole_fingers(problem.robot, problem.hand) == set()
+    for name, link in ((SLIDING, "left_finger"), (OTHER, "right_finger")):
+        assert is_inside(model, problem, name, link, [0.0, 0.009, 0.01])
+        assert is_inside(model, problem, name, link, [0.0, 0.002, 0.05])
+        assert not is_inside(model, problem, name, link, [0.0, 0.007, 0.05])
+
+
+def test_fingers_that_hold_with_convex_shapes_stay_whole():
+    _, problem = world_of("wam_t42")
+    assert whole_fingers(problem.robot, problem.hand) == {"left_finger", "right_finger"}

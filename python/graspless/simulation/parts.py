@@ -4,7 +4,8 @@
 
 MuJoCo puts its convex hull in the place of a mesh. The hull of a bent or waisted link of an arm
 reaches far beyond the link, and touches a table that the planner, which tests the mesh itself,
-rightly finds free. Slices of the link have hulls that keep to it.
+rightly finds free. The hull of a hooked finger fills the room in which an object is to be held.
+Slices of the link have hulls that keep to it.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..robot import Robot
 
+REPLACED = 4  # group of geoms that touch nothing, because others are in their place
 _THICKNESS = 0.03  # of a slice [m]
 _MOST = 16
 _FLAT = 1e-5  # [m]
@@ -39,7 +41,7 @@ def slice_links(spec: Any, robot: Robot, whole: Collection[str]) -> None:
         body = spec.body(name)
         for geom in list(body.geoms):
             geom.contype = geom.conaffinity = 0
-            geom.group = 4
+            geom.group = REPLACED
         for placed in shapes:
             for points in slices(np.array(placed.shape.vertices), placed.shape.triangles):
                 add_hull(spec, body, frames.transform(placed.X_BG, points), {})

@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import frames
+from ... import frames, geometry
 from ...errors import TaskError
+from ..parts import REPLACED
 from ..robots import untested_pairs
 
 if TYPE_CHECKING:
@@ -69,6 +70,21 @@ def add_fingers(
             rub(geom, hand, settings)
         _exclude_as(spec, robot, link, name)
     _add_pad(spec.body(SLIDING), hand, settings)
+
+
+def whole_fingers(robot: Robot, hand: slide.Hand) -> set[str]:
+    """Returns the links of the fingers that hold objects with a convex shape.
+
+    Their other links, such as the bars behind the pads of a Robotiq, need no slices.
+    """
+    convex = {
+        robot.frame_names[link]
+        for link, placed in robot.shapes
+        if not isinstance(placed.shape, geometry.Mesh)
+    }
+    holding, sliding = _flexing_links(robot, hand), set(hand.sliding_finger)
+    of = {SLIDING: sliding, OTHER: set(hand.fingers) - sliding}
+    return {link for name, last in holding.items() if last in convex for link in of[name]}
 
 
 def wrist_stiffness(hand: slide.Hand, settings: Slide) -> float | None:
@@ -137,7 +153,7 @@ def _add_flexure(
 
 def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
     """Moves the geoms of the link to the flexing body."""
-    for geom in list(link.geoms):
+    for geom in [geom for geom in link.geoms if geom.group != REPLACED]:
         X_XG = X_XL @ frames.translation(geom.pos) @ frames.from_quaternion(geom.quat)
         flex.add_geom(
             type=geom.type,
@@ -147,7 +163,7 @@ def _move_shapes(link: Any, flex: Any, X_XL: Matrix) -> None:
             quat=frames.to_quaternion(X_XG),
         )
         geom.contype = geom.conaffinity = 0
-        geom.group = 4
+        geom.group = REPLACED
 
 
 def _exclude_as(spec: Any, robot: Any, link: str, name: str) -> None:

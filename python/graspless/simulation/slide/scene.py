@@ -22,7 +22,7 @@ from ..parts import slice_links
 from ..robots import apply, compiled, robot_spec, unused
 from ..settings import Slide, Solver
 from ..shapes import add_hull, add_placed, give_inertia
-from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers
+from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers, whole_fingers
 from .shapes import add_prism, even_points, plate_inertia, points_along
 from .truth import Body, Truth
 
@@ -76,7 +76,7 @@ def build_scene(
     settings = settings or Slide()
     problem = plan.task.problem
     spec = robot_spec(problem.robot, plan.task.fields.robot)
-    slice_links(spec, problem.robot, whole=problem.hand.fingers)
+    slice_links(spec, problem.robot, whole=whole_fingers(problem.robot, problem.hand))
     solver = dataclasses.replace(Solver(), impratio=settings.impratio)
     apply(spec, solver)
     spec.option.timestep = solver.timestep * variation.timestep
