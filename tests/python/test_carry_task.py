@@ -115,7 +115,35 @@ def test_degrees_and_millimetres_are_warned_of_once(new, what):
     assert re.search(what, texts[0])
 
 
+def held_at(*position):
+    """A task of a bar at a place relative to the frame of the hand, in which it would be held."""
+    X_WB = X_WO @ frames.translation(position)
+    p, quaternion = X_WB[:3, 3].tolist(), frames.to_quaternion(X_WB).tolist()
+    return GOOD.replace("pose: {}", f"pose: {{position: {p}, quaternion: {quaternion}}}")
+
+
+def test_an_object_that_the_hand_does_not_hold_is_warned_of():
+    text = (
+        r"^task.yaml:6: pose: the object is at least 0.75 m away from 'grasp' and the links that move "
+        r"with it: nothing there holds it; check pose and robot.home$"
+    )
+    with pytest.warns(UserWarning, match=text):
+        read_task(held_at(0, 0, 0.8), "task.yaml")
+    with pytest.warns(UserWarning, match=r"the object is at least 0.035 m away"):
+        read_task(held_at(0, 0, 0.085), "task.yaml")
+
+
+@pytest.mark.parametrize(
+    "position",
+    [(0, 0, 0), (0, 0, 0.075), (0.06, 0, -0.1), (0, 0, -0.25)],
+    ids=["held", "before", "beside", "at the palm"],
+)
+def test_an_object_near_a_link_of_the_hand_is_not_warned_of(position):
+    read_task(held_at(*position), "task.yaml")
+
+
 def test_obstacles_in_millimetres_are_warned_of():
-    text = GOOD.replace("obstacles:\n", "obstacles:\n  - {name: wall, box: [20, 800, 600]}\n")
+    wall = "obstacles:\n  - {name: wall, box: [20, 800, 600]}\n"
+    text = held_at(0, 0, 0).replace("obstacles:\n", wall)
     with pytest.warns(UserWarning, match=r"obstacles\[0\].box\[1\]: 800: is more than 100 m;"):
         read_task(text, "task.yaml")

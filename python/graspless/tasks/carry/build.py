@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from . import model
 
 SUPPORT = "support"
+FARTHEST = 0.03  # of an object from the hand that holds it [m]
 UP = np.array([0.0, 0.0, 1.0])
 
 
@@ -64,7 +65,51 @@ def build(task: model.CarryTask, source: Source) -> carry.Problem:
         carry.validate(problem)
     except ValueError as error:
         raise blamed(source, str(error), _places(task)) from None
+    _warn_of_distance(problem, source)
     return problem
+
+
+def _warn_of_distance(problem: carry.Problem, source: Source) -> None:
+    """Warns of an object that nothing in the hand can hold."""
+    X_WF = np.asarray(problem.robot.pose(problem.frame, problem.q_start))
+    point = geometry.PlacedShape(geometry.Sphere(1e-6), X_WF)
+    distance = _distance(problem.object, {problem.frame: [point]})
+    if distance <= FARTHEST:  # quicker than all shapes of the hand
+        return
+    distance = min(distance, _distance(problem.object, _hand(problem)))
+    if distance > FARTHEST:
+        what = f"the object is at least {distance:.2g} m away from '{problem.frame}' and the links"
+        advice = "nothing there holds it; check pose and robot.home"
+        source.warn(("pose",), f"{what} that move with it: {advice}")
+
+
+def _hand(problem: carry.Problem) -> dict[str, list[geometry.PlacedShape]]:
+    """Returns the shapes, in W, of each link that keeps its pose relative to the frame."""
+    robot = problem.robot
+    q = np.array(problem.q_start)
+    poses = [np.asarray(robot.forward(q))]
+    arm = robot.group(problem.arm)
+    q[arm] += 0.1 + 0.013 * np.arange(len(arm))  # any values that differ between joints
+    poses.append(np.asarray(robot.forward(q)))
+    frame = robot.frame(problem.frame)
+    now, then = (np.linalg.inv(X[frame]) @ X for X in poses)
+    moves_along = np.abs(now - then).max(axis=(1, 2)) < 1e-9
+    shapes: dict[str, list[geometry.PlacedShape]] = {}
+    for link, placed in robot.shapes:
+        if moves_along[link]:
+            at_W = geometry.PlacedShape(placed.shape, poses[0][link] @ np.asarray(placed.X_BG))
+            shapes.setdefault(robot.frame_names[link], []).append(at_W)
+    return shapes
+
+
+def _distance(thing: collision.Obstacle, bodies: dict[str, list[geometry.PlacedShape]]) -> float:
+    """Lower bound on the distance of an object from bodies in W; infinite without bodies [m]."""
+    world = collision.World()
+    held = world.add_body("object", thing.shapes)
+    world.set_pose(held, thing.X_WB)
+    for name, shapes in bodies.items():
+        world.add_pair(held, world.add_body(f"link {name}", shapes))
+    return min(world.distance_bounds(), default=np.inf)
 
 
 def goal(task: model.CarryTask, X_WO: Matrix) -> Matrix:
