@@ -5,6 +5,7 @@
 import argparse
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -194,6 +195,21 @@ def test_stock_srdf_is_read_and_its_faults_are_told(folder):
         gripper.group("ghost")
     with pytest.raises(ValueError, match="state 'wide' cannot be used: .*9 is outside its limits"):
         gripper.state("wide")
+
+
+def test_faults_of_an_srdf_name_its_file(folder):
+    srdf = folder / "gripper.srdf"
+    srdf.write_text(
+        "<robot name='gripper'>\n"
+        "<group_state name='home' group='hand'><joint name='none' value='9'/></group_state></robot>"
+    )
+    text = f"{re.escape(str(srdf))} line 2: the SRDF has no group 'hand'"
+    with pytest.warns(UserWarning, match=f"robot.urdf: .*: {text}; skipped$"):
+        built(folder, {"urdf": "gripper.urdf"})
+    made, source = resolved(folder, {"urdf": "gripper.urdf"})
+    home = robots.build_home
+    with pytest.raises(TaskError, match=f"robot.home: state 'home' cannot be used: {text}$"):
+        home(made, build_robot(made, source, warn=False), source)
 
 
 def with_limits(folder, limits, kind="revolute"):

@@ -40,12 +40,15 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
         return robot, None
     field = next(name for name in ("urdf", "name", "arm") if getattr(robot, name) is not None)
     path: Path | None
-    description, path = _read(robot, field, ("robot", field), source, directory)
+    description, path, srdf = _read(robot, field, ("robot", field), source, directory)
     of_gripper: frozenset[str] = frozenset()
     if robot.gripper is not None:
         arm = description
         description, path = _with_gripper(arm, robot.gripper, source, directory)
         of_gripper = frozenset(_names(description) - _names(arm))
+        srdf = None  # joined from two, as lines of no file
+    elif srdf is not None and srdf.suffix == ".xacro":
+        srdf = None
     emptied = dict.fromkeys(("urdf", "name", "arm", "gripper", "srdf"))
     resolved = robot.model_copy(
         update=emptied
@@ -57,7 +60,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
             "xacro_args": {},
         }
     )
-    resolved._of_gripper = of_gripper
+    resolved._of_gripper, resolved._srdf_file = of_gripper, srdf
     with at(source, "robot", field):
         meshes = robot_meshes(resolved)
     if any(path.suffix.lower() in FOREIGN for path in meshes):
@@ -73,7 +76,7 @@ def _with_gripper(
         what = f"is {away:.4g} m away; lengths are in metres"
         source.warn(("robot", "gripper", "pose", "position"), what)
     field = "file" if gripper.file is not None else "name"
-    description, path = _read(gripper, field, ("robot", "gripper", field), source, directory)
+    description, path, _ = _read(gripper, field, ("robot", "gripper", field), source, directory)
     with at(source, "robot", "gripper"):
         X_MG = pose_matrix(gripper.pose)
         joined = robots.join(
@@ -96,8 +99,8 @@ def _names(description: robots.Description) -> set[str]:
 
 def _read(
     given: Robot | Gripper, field: str, place: Location, source: Source, directory: Path
-) -> tuple[robots.Description, Path]:
-    """Returns the texts of a robot, and the path of its URDF."""
+) -> tuple[robots.Description, Path, Path | None]:
+    """Returns the texts of a robot, and the paths of its URDF and SRDF."""
     known = find_urdf(getattr(given, field), field, place, source, directory)
     packages = known.packages | _find_packages(given, place[:-1], source, directory)
     meshes = _find_folder(given, place[:-1], source, directory) or known.directory
@@ -116,7 +119,7 @@ def _read(
     )
     with at(source, *place):
         description.packages = robots.find_packages(description)
-    return description, known.urdf
+    return description, known.urdf, srdf
 
 
 def find_urdf(name: str, field: str, place: Location, source: Source, directory: Path) -> Described:

@@ -107,6 +107,7 @@ class Robot(Fields):
     )
 
     _of_gripper: frozenset[str] = PrivateAttr(default=frozenset())  # names in its files alone
+    _srdf_file: Path | None = PrivateAttr(default=None)  # None: its lines are not those of the text
 
     @model_validator(mode="after")
     def _check(self) -> Robot:
@@ -134,7 +135,7 @@ def build_robot(robot: Robot, source: Source, *, warn: bool = True) -> robots.Ro
         try:
             built = _built(robot)
         except ValueError as error:
-            text = str(error).removeprefix("X_WB ")
+            text = _with_srdf(str(error).removeprefix("X_WB "), robot)
             raise source.error(_place(str(error), robot, source), text) from None
     require_limits(built, lambda what: _place(what, robot, source), source)
     if warn and field != "urdf_text":  # a plan was made in spite of them
@@ -148,7 +149,13 @@ def _warn_of_what_was_ignored(built: robots.Robot, robot: Robot, source: Source)
         return
     first, *others = built.warnings
     more = f". Robot.warnings has {len(others)} more" if others else ""
-    source.warn(_place(first, robot, source), f"{first}{more}")
+    source.warn(_place(first, robot, source), f"{_with_srdf(first, robot)}{more}")
+
+
+def _with_srdf(fault: str, robot: Robot) -> str:
+    """Returns a fault with the SRDF's file instead of the word SRDF before the line."""
+    file = robot._srdf_file
+    return fault if file is None else re.sub(r"\bSRDF(?= line \d)", lambda _: str(file), fault)
 
 
 def _place(fault: str, robot: Robot, source: Source) -> tuple[str, ...]:
@@ -247,7 +254,10 @@ def build_home(
     with at(source, *location):
         rest = None if others is None else built.state(others)
         if isinstance(robot.home, str):
-            return np.array(built.state(robot.home, rest))
+            try:
+                return np.array(built.state(robot.home, rest))
+            except ValueError as error:
+                raise ValueError(_with_srdf(str(error), robot)) from None
     if isinstance(robot.home, list):
         if len(robot.home) != built.dof:
             names = ", ".join(built.joint_names)
