@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 WIDEST = 1e6  # of an angle: rounding takes the meaning of larger ones [rad]
 LARGEST_TURN = 20.0  # of a joint: limits of real ones are a few turns [rad]
 FARTHEST, REFUSED = 100.0, 1e4  # largest coordinate that nobody doubts, and of the core [m]
+_FARTHEST_MOVES = {"translation": 5.0}  # and of ways of an object: fingertips have no reach [m]
 _UNITS = re.compile(r"\[((?:m|rad)(?:, (?:m|rad))*)\]")
 _BOUNDED = ("size", "radius", "box", "angle")  # the kinds of tasks have bounds of their own,
 _UNBOUNDED = {"obstacles", "region"}  # but not in these sections
@@ -55,13 +56,14 @@ def _warn_of_value(value: Any, units: list[str], place: Location, source: Source
             return False
         each = enumerate(zip(value, itertools.cycle(units), strict=False))
         return any(_warn_of_value(v, [unit], (*place, i), source) for i, (v, unit) in each)
+    farthest = next((_FARTHEST_MOVES[key] for key in place if key in _FARTHEST_MOVES), FARTHEST)
     if not isinstance(value, float):
         return False
     if units == ["rad"]:
         return warn_of_angle(value, place, source)
-    is_far = FARTHEST < abs(value) <= REFUSED
+    is_far = farthest < abs(value) <= REFUSED
     if is_far:
-        source.warn(place, f"is more than {FARTHEST:g} m; lengths are in metres")
+        source.warn(place, f"is more than {farthest:g} m; lengths are in metres")
     return is_far
 
 
