@@ -3,6 +3,7 @@
 """From a depth image to a scene file, a picture and a checked plan; and edges that are usable."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -227,6 +228,34 @@ def test_see_averages_frames_and_joins_views(folder, capsys):
     files = [str(folder / "frames.npz"), str(folder / "frame.npz")]
     assert main(["see", *files, "-o", str(folder / "both.yaml"), "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)["objects"]) == 3
+
+
+def test_each_cloud_has_its_own_viewpoint(folder, capsys):
+    with np.load(folder / "frame.npz") as frame:
+        K, X_WC, depth = frame["K"], frame["X_WC"], frame["depth"]
+    v, u = np.nonzero(depth > 0)
+    rays = np.stack([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], np.ones(len(u))], axis=-1)
+    points = (rays * depth[v, u, None]) @ X_WC[:3, :3].T + X_WC[:3, 3]
+    names = [str(folder / "one.xyz"), str(folder / "two.xyz")]
+    for name in names:
+        np.savetxt(name, points[::4], "%.5f")
+    eye, output = list(map(str, X_WC[:3, 3])), ["-o", str(folder / "clouds.yaml")]
+
+    def see(*arguments):
+        return main(["see", *arguments, *output]), capsys.readouterr().err
+
+    for given in (["--viewpoint", *eye], ["--viewpoint", *eye] * 3):
+        code, said = see(*names, *given)
+        assert code == 2
+        assert re.search(
+            r"--viewpoint: [13] for 2 cloud\(s\) \(.*one.xyz, .*two.xyz\): should", said
+        )
+    assert see(*names, *["--viewpoint", *eye] * 2)[0] == 0
+    images = [names[0], str(folder / "frame.npz"), names[1]]
+    far = ["--viewpoint", *eye, "--viewpoint", "0", "0", "1e5"]
+    code, said = see(*images, *far)  # the second one is of the second cloud
+    assert code == 2
+    assert "two.xyz: viewpoint" in said
 
 
 def test_a_file_of_other_origin_beside_the_scene_is_kept(folder, capsys):

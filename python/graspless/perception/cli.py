@@ -43,8 +43,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--viewpoint",
         type=float,
         nargs=3,
+        action="append",
         metavar=("X", "Y", "Z"),
-        help="position of the camera that took a cloud [m]",
+        help="position of the camera that took a cloud [m]: after all files, once for each cloud, "
+        "in their order",
     )
     parser.add_argument(
         "-o",
@@ -84,7 +86,8 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
-    views = [read_view(Path(path), options.viewpoint) for path in options.files]
+    viewpoints = _viewpoints(options)
+    views = [read_view(Path(path), viewpoints.get(k)) for k, path in enumerate(options.files)]
     _require_cloud(options)
     for path, given in zip(options.files, views, strict=True):
         warn_of_camera(given, path)
@@ -107,11 +110,31 @@ def _run(options: argparse.Namespace) -> int:
     return FOUND if scene else NOT_FOUND
 
 
+def _clouds(options: argparse.Namespace) -> list[int]:
+    """Returns which of the files are clouds."""
+    return [k for k, file in enumerate(options.files) if Path(file).suffix.lower() in CLOUDS]
+
+
+def _viewpoints(options: argparse.Namespace) -> dict[int, list[float]]:
+    """Returns the viewpoints of the clouds by the index of their files, or none.
+
+    Raises TaskError if there are viewpoints, but not one for each cloud.
+    """
+    clouds, given = _clouds(options), options.viewpoint or []
+    if clouds and given and len(given) != len(clouds):
+        names = ", ".join(options.files[k] for k in clouds)
+        raise TaskError(
+            f"--viewpoint: {len(given)} for {len(clouds)} cloud(s) ({names}): should "
+            "be given once for each, in their order"
+        )
+    return dict(zip(clouds, given, strict=False))
+
+
 def _require_cloud(options: argparse.Namespace) -> None:
     """Raises TaskError if --viewpoint would have no effect."""
-    if options.viewpoint is None or any(Path(f).suffix.lower() in CLOUDS for f in options.files):
+    if options.viewpoint is None or _clouds(options):
         return
-    given = " ".join(f"{x:g}" for x in options.viewpoint)
+    given = " ".join(f"{x:g}" for x in options.viewpoint[0])
     raise TaskError(
         f"--viewpoint: {given}: only for clouds ({', '.join(CLOUDS)}); the array X_WC of an .npz "
         "file says where its camera was"
