@@ -58,7 +58,8 @@ class _Signals:
     """Answers SIGINT and SIGTERM by KeyboardInterrupt, so that a command cleans up.
 
     Before and after the command, and while it imports, the process ends at once: there is nothing
-    to clean up, and modules that are half imported answer KeyboardInterrupt by errors of their own.
+    to clean up but folders of `files.beside`, and modules that are half imported answer
+    KeyboardInterrupt by errors of their own.
     """
 
     def __init__(self) -> None:
@@ -86,6 +87,9 @@ class _Signals:
             os.write(2, b"interrupted\n")
         except OSError:
             pass
+        remove = getattr(sys.modules.get("graspless.files"), "remove_places", None)
+        if remove is not None:
+            remove()
         os._exit(128 + self.came)
 
 

@@ -132,6 +132,9 @@ def set_aside(path: Path) -> Path:
         raise TaskError(f"{path}~: cannot be written: {error.strerror}") from None
 
 
+_places: set[Path] = set()  # folders of `beside`
+
+
 @contextlib.contextmanager
 def beside(path: str | Path) -> Iterator[Path]:
     """Gives a new folder beside `path`, gone at the end; an OSError becomes a TaskError."""
@@ -140,9 +143,21 @@ def beside(path: str | Path) -> Iterator[Path]:
     path = Path(path)
     try:
         with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
-            yield Path(place)
+            _places.add(Path(place))
+            try:
+                yield Path(place)
+            finally:
+                _places.discard(Path(place))
     except OSError as error:
         raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def remove_places() -> None:
+    """Removes the folders of `beside` in a process that a signal ends at once."""
+    import shutil
+
+    for place in _places:
+        shutil.rmtree(place, ignore_errors=True)
 
 
 @contextlib.contextmanager

@@ -10,6 +10,7 @@ import sys
 import pytest
 
 from tasks_common import GOOD
+from timing_common import planned
 
 # Sends a signal to itself when a module is about to be imported.
 SCRIPT = """
@@ -37,3 +38,15 @@ def test_signal_while_a_module_is_imported(tmp_path, module, number):
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=60)
     assert (done.returncode, done.stderr) == (128 + number, "interrupted\n")
     assert not (tmp_path / "plan.json").exists()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("output", ["e.mcap", "bag"])
+def test_signal_during_an_import_leaves_no_folder(tmp_path, output, number):
+    planned("slide").save(tmp_path / "plan.json")
+    module = "rosbags.serde.primitives"  # imported when the first message is written
+    asked = ["export", "plan.json", "--to", "mcap", "-o", output]
+    command = [sys.executable, "-c", SCRIPT, module, str(int(number)), *asked]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=60)
+    assert (done.returncode, done.stderr) == (128 + number, "interrupted\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["plan.json"]
