@@ -6,6 +6,7 @@ import copy
 import dataclasses
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import mujoco
 import numpy as np
@@ -22,7 +23,7 @@ from graspless.simulation.clasp.closing import left_open
 from graspless.simulation.clasp.execution import LOOK, Execution
 from graspless.simulation.clasp.judge import Judge
 from graspless.simulation.clasp.model import make_world
-from graspless.simulation.results import Simulation, drained
+from graspless.simulation.results import Simulation, Trial, drained
 from graspless.simulation.robots import set_positions
 from graspless.simulation.settings import Clasp
 from graspless.simulation.variation import Variation, variations
@@ -103,6 +104,41 @@ def test_what_is_asked_of_a_pull_is_said():
     assert f"to {most} N" in told
     assert FAILURES["pulled_out"].endswith(f"below {needed} N")
     assert f"at most {most} N" in MEASURES["pull"]
+
+
+def test_the_limit_of_a_hand_of_two_fingers_is_told(plan, monkeypatch):
+    found = Simulation(plan, 0, [Trial(Variation(), ("pulled_out",), {}, 0.0)])
+    assert "under a straight pull below 15 N" in simulation_report.as_text(found)
+    limit = dataclasses.replace(Clasp(), pull_needed=0.4905)
+    monkeypatch.setattr("graspless.simulation.clasp._settings", lambda plan: limit)
+    assert "under a straight pull below 0.49 N" in simulation_report.as_text(found)
+
+
+def pulled_free(plan, mass, needed, is_lost=True):
+    """The pull under which an object that nothing touches leaves the hand, if it is lost then."""
+    world = make_world(plan.task, Variation(), Clasp(pull_needed=needed))
+    world.let_go()
+    world.model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONTACT
+    world.model.body_inertia[world.body] *= mass / world.model.body_mass[world.body]
+    world.model.body_mass[world.body] = mass
+    begin = world.object_pose[:3, 3]
+    judge = SimpleNamespace(
+        reach=lambda: 0.13,
+        linked=lambda: 1,
+        distance=lambda: is_lost * np.linalg.norm(world.object_pose[:3, 3] - begin),
+    )
+    execution = Execution(world, judge, plan.task.problem.hand, plan.task.problem.robot, None)
+    return execution.pull(np.array([1.0, 0.0, 0.0]))
+
+
+@pytest.mark.parametrize("mass", [0.02, 0.2, 1.0])
+def test_an_object_that_nothing_holds_is_pulled_out_below_its_weight(plan, mass):
+    needed = 9.81 * mass
+    assert 0.5 * needed < pulled_free(plan, mass, needed) < needed
+
+
+def test_a_pull_goes_on_until_what_is_needed(plan):
+    assert pulled_free(plan, 1.0, 80.0, is_lost=False) == 80
 
 
 def test_the_hand_goes_through_the_hole_as_planned(trial):

@@ -32,7 +32,8 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
         The number of trials that succeeded, the failures, and a table of measures.
     """
     kind = simulation_kind(found.plan.kind)
-    failures = {**kind.FAILURES, **getattr(kind, "FOLLOWED_FAILURES", {})}
+    meanings = getattr(kind, "failures_of", lambda plan: kind.FAILURES)(found.plan)
+    failures = {**meanings, **getattr(kind, "FOLLOWED_FAILURES", {})}
     measures = {**kind.MEASURES, **getattr(kind, "FOLLOWED_MEASURES", {})}
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]

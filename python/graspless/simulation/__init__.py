@@ -41,6 +41,7 @@ class SimulationKind(Protocol):
     """Measured quantities: meaning and unit by name."""
 
     # Optional: SPREAD, a settings.Spread, if trials vary by other amounts than Spread();
+    # failures_of(plan), if what failures mean depends on the plan;
     # require_simulated(task), which raises TaskError if no plan of the task can be executed. Kinds
     # that can be followed in closed loop have follow(), FOLLOWED_FAILURES, FOLLOWED_MEASURES,
     # CONDITIONS and draw().

@@ -165,7 +165,8 @@ class Clasp:
     # one hold [m/s]: a choice, as the next. Drag acts at the object's origin: a centre of mass 9 cm
     # away can swing at 0.65 m/s, and one 20 cm away at 1 m/s
     drag_turning: float = 3.0  # at which drag balances a random torque [rad/s]
-    pull_rate: float = 40.0  # growth of the straight pull [N/s]: quasi-static against 100 rad/s
+    pull_rate: float = 40.0  # largest growth of the straight pull [N/s]: quasi-static against 100
+    # rad/s. Light objects are pulled more slowly, see Execution.pull
     pull_needed: float = 15.0  # as the force of a random wrench [N]
     pull_most: float = 60.0  # at which the pull ends [N]: three fingers of 2 Nm at 0.1 m
     open_seconds: float = 1.0  # for opening the hand in the negative control [s]

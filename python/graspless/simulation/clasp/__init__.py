@@ -58,11 +58,17 @@ MEASURES = {
     "held_dragged": "number held if lost sequences are repeated with drag on the object",
     "held_locked": "number held if lost sequences are repeated with locked motors",
     "sequences": "number of sequences of random wrenches",
-    "pull": "straight pull that the closed hand held, at most 60 N [N]",
+    "pull": "straight pull that the closed hand held, at most 60 N or what is needed [N]",
     "open_pull": "straight pull at which the open hand lost the object [N]",
     "open_held": "number of the same sequences that the open hand held",
     "open_linked": "number of fingers of the opened hand that are linked with the loop",
 }
+
+
+def failures_of(plan: Plan) -> dict[str, str]:
+    """Returns the meaning of the failures for a plan, whose hand may need less than 15 N."""
+    needed = f"{_settings(plan).pull_needed:.3g} N"
+    return FAILURES | {"pulled_out": FAILURES["pulled_out"].replace("15 N", needed)}
 
 
 def run(

@@ -211,18 +211,23 @@ class Execution:
     def pull(self, direction_W: Matrix) -> float:
         """A force at the object's centre of mass grows until the loop is out of the hand; how much
         was held [N].
+
+        Up to what is needed it grows so slowly that an object which nothing holds is out of the
+        hand before: at a rate r, one of mass m moves by f^3 / (6 m r^2) until the force is f.
         """
         settings, body = self.world.settings, self.world.body
         reach, step = self.judge.reach(), self._steps * self.world.model.opt.timestep
-        force = 0.0
-        while force < settings.pull_most:
+        needed, mass = settings.pull_needed, float(self.world.model.body_mass[body])
+        slow = min(settings.pull_rate, float(np.sqrt(needed**3 / (6 * mass * reach))))
+        force, most = 0.0, max(settings.pull_most, needed)
+        while force < most:
             self.world.data.xfrc_applied[body, :3] = force * direction_W
             self.run("pull")
             if not (self.judge.distance() <= reach and self.judge.linked()):
                 break
-            force += settings.pull_rate * step
+            force += (slow if force < needed else settings.pull_rate) * step
         self.world.data.xfrc_applied[body] = 0.0
-        return min(force, settings.pull_most)
+        return min(force, most)
 
     def trial(
         self, variation: Variation, failures: Sequence[str], measures: dict[str, float]
