@@ -16,13 +16,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import graspless
-from graspless import TaskError, _data, carry, clasp, fingertip, frames, pinch, slide
+from fingertip_common import PUSH
+from graspless import TaskError, _data, carry, clasp, fingertip, frames, geometry, pinch, slide
 from graspless.tasks import task_from_dict
 from graspless.tasks.clouds import read_cloud
 from graspless.tasks.reading import parse_yaml
 from graspless.tasks.slide import model
 from graspless.tasks.source import shorten
-from tasks_common import GOOD, changed, fault, run, write_renamed
+from tasks_common import GOOD, changed, fault, run, write_renamed, write_robot_with_mesh
 
 CARD = "rectangle: {size: [0.10, 0.08]}"
 TABLE = "rectangle: {center: [0.65, 0.0], size: [0.7, 0.7]}"
@@ -193,6 +194,45 @@ def test_a_missing_file_is_named_whole(write):
     name = f"{'/'.join(['a_long_folder'] * 8)}/b.stl"
     message = fault(write(changed(*more(f"obstacles: [{{name: a, mesh: {{file: {name}}}}}]"))))
     assert message == f"task.yaml:13: obstacles[0].mesh.file: {name}: no such file"
+
+
+POINTER = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"
+
+
+@pytest.mark.parametrize(
+    ("field", "text"),
+    [
+        (r"obstacles\[0\]", changed(*more("obstacles: [{name: a, mesh: {file: a.stl}}]"))),
+        ("object", changed("box: [0.05, 0.10, 0.05]", "mesh: {file: a.stl}", PUSH)),
+        ("object", "kind: clasp\nrobot: {urdf: kr5_icub}\nobject: {mesh: {file: a.stl}}\n"),
+    ],
+)
+def test_a_pointer_of_git_lfs_is_no_mesh(write, tmp_path, field, text):
+    (tmp_path / "a.stl").write_text(POINTER)
+    message = fault(write(text))
+    assert re.search(rf"{field}.*: mesh 'a.stl' is a Git LFS pointer, .*'git lfs pull'", message)
+
+
+def test_a_mesh_of_a_robot_that_is_a_pointer_of_git_lfs(write, tmp_path):
+    mesh = write_robot_with_mesh(tmp_path)
+    mesh.write_text(POINTER)
+    text = changed("urdf: wam_t42", "urdf: arm.urdf")
+    graspless.load_task(write(text))  # it is drawn only
+    urdf = (tmp_path / "arm.urdf").read_text()
+    drawn = re.search(r"<visual>(<geometry><mesh .*?</geometry>)</visual>", urdf)
+    collision = f"{drawn[0]}<collision>{drawn[1]}</collision>"
+    (tmp_path / "arm.urdf").write_text(urdf.replace(drawn[0], collision))
+    what = r"robot.urdf: arm.urdf: mesh 'part.stl' is a Git LFS pointer, .*'git lfs pull'"
+    assert re.search(what, fault(write(text)))
+
+
+def test_a_mesh_that_states_too_many_triangles_is_not_read(write, tmp_path, monkeypatch):
+    count = 200_001
+    header = b"\0" * 80 + struct.pack("<I", count)
+    (tmp_path / "a.stl").write_bytes(header + bytes(50 * count))
+    monkeypatch.setattr(geometry, "read_mesh", None)
+    message = fault(write(changed("box: [0.05, 0.10, 0.05]", "mesh: {file: a.stl}", PUSH)))
+    assert message.endswith("mesh 'a.stl' must have at most 200000 triangles, not 200001")
 
 
 def test_says_all_faults_at_once(write):

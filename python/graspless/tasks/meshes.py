@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 FOREIGN = (".dae", ".glb", ".gltf")  # read with the extra `robots`
 SUFFIXES = (".stl", ".obj", ".off", ".ply", *FOREIGN)
+_POINTER = b"version https://git-lfs.github.com/"
 
 
 def is_mesh(path: Path) -> bool:
@@ -33,6 +34,25 @@ def prepare_meshes(paths: Iterable[Path]) -> None:
         from .._mesh_reader import prepare
 
         prepare(foreign)
+
+
+def require_fetched(paths: Iterable[Path]) -> None:
+    """Raises ValueError if one of the files only points to the mesh in Git LFS."""
+    for path in sorted(paths):
+        if is_mesh(path) and path.is_file():
+            with path.open("rb") as file:
+                if file.read(len(_POINTER)) == _POINTER:
+                    what = "is a Git LFS pointer, not the mesh itself: get that by 'git lfs pull'"
+                    raise ValueError(f"mesh '{path}' {what}")
+
+
+def stated_triangles(path: Path) -> int:
+    """Returns the number of triangles that a binary .stl file states; 0 of any other file."""
+    if path.suffix.lower() != ".stl" or not path.is_file():
+        return 0
+    with path.open("rb") as file:
+        count = int.from_bytes(file.read(84)[80:], "little")
+    return count if path.stat().st_size == 84 + 50 * count else 0
 
 
 def checksum(path: Path) -> str:

@@ -12,6 +12,7 @@ from pydantic import AfterValidator
 
 from .. import collision, geometry
 from ..files import absence
+from .meshes import require_fetched
 from .shapes import MeshFile, Obstacle, Shape, given_twice, pose_matrix, regular_polygon
 from .source import Source, at
 
@@ -123,4 +124,5 @@ def _shape(shape: Shape) -> AnyShape:
             np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in heights])
         )
     assert shape.mesh is not None
+    require_fetched([Path(shape.mesh.file)])
     return geometry.read_mesh(shape.mesh.file, shape.mesh.factors)

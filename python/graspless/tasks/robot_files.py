@@ -17,7 +17,7 @@ from ..errors import one_of
 from ..files import absence
 from ..limits import uncounted
 from . import units
-from .meshes import FOREIGN, prepare_meshes
+from .meshes import FOREIGN, prepare_meshes, require_fetched
 from .robots import Gripper, Robot, collision_meshes, robot_meshes, stem
 from .shapes import pose_matrix
 from .source import Source, at
@@ -63,6 +63,7 @@ def resolve_robot(robot: Robot, source: Source, directory: Path) -> tuple[Robot,
     resolved._of_gripper, resolved._srdf_file = of_gripper, srdf
     with at(source, "robot", field):
         meshes = robot_meshes(resolved)
+        require_fetched(meshes & collision_meshes(resolved))
     if any(path.suffix.lower() in FOREIGN for path in meshes):
         prepare_meshes(collision_meshes(resolved))
     return resolved, path

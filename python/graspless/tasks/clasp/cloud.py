@@ -13,6 +13,7 @@ from ..._core import clasp
 from ...files import absence
 from ..clouds import read_cloud
 from ..documents import rows_of
+from ..meshes import require_fetched
 from ..rays import Rays, rays_fields
 from ..source import Source, at
 
@@ -86,6 +87,7 @@ def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
         path = directory / thing.mesh.file
         if not path.is_file():
             raise source.error(("object", "mesh", "file"), absence(path))
+        require_fetched([path])
         mesh = geometry.read_mesh(str(path), unit * thing.mesh.factors)
         shapes = [geometry.PlacedShape(mesh, np.eye(4))]
     else:

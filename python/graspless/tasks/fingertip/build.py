@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +13,7 @@ import numpy as np
 from ... import geometry
 from ..._core import fingertip, mechanics
 from ..blame import blamed
+from ..meshes import require_fetched, stated_triangles
 from ..obstacles import build_obstacles
 from ..source import at
 from .motions import build_motion
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 
 LARGEST = 2.0  # [m]; nobody tumbles a larger object with fingertips
 LARGEST_FINGER = 0.5  # radius of a fingertip [m]
+MOST_TRIANGLES = 200_000  # of an object
 
 
 def build(task: model.FingertipTask, source: Source) -> fingertip.Problem:
@@ -144,6 +147,11 @@ def build_options(
 
 def _mesh(thing: model.Object) -> geometry.Mesh:
     if thing.mesh is not None:
+        path = Path(thing.mesh.file)
+        require_fetched([path])
+        if (count := stated_triangles(path)) > MOST_TRIANGLES:  # reading them takes seconds
+            what = f"must have at most {MOST_TRIANGLES} triangles, not {count}"
+            raise ValueError(f"mesh '{path}' {what}")
         return geometry.read_mesh(thing.mesh.file, thing.mesh.factors)
     return geometry.Mesh(np.array(thing.vertices), np.array(thing.triangles))
 
