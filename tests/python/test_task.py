@@ -235,6 +235,13 @@ def test_a_mesh_that_states_too_many_triangles_is_not_read(write, tmp_path, monk
     assert message.endswith("mesh 'a.stl' must have at most 200000 triangles, not 200001")
 
 
+def test_a_translation_in_millimetres_is_warned_of(write):
+    given, far = "translation: [0.05, 0, 0]", "translation: [100, 0, 0]"
+    told = r"translation\[0\]: 100: is more than 5 m; lengths are in metres"
+    with pytest.warns(UserWarning, match=told):
+        graspless.load_task(write(changed(given, far, PUSH)))
+
+
 def test_says_all_faults_at_once(write):
     message = fault(write(changed("0.004", "-1", changed("seed: 3", "seed: no"))))
     assert [line.split(": ")[0] for line in message.splitlines()] == ["task.yaml:8", "task.yaml:13"]
