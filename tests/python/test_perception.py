@@ -64,6 +64,13 @@ def test_the_foot_of_a_round_side_is_not_moved_towards_the_camera():
     assert 1.0 < np.mean(ratios) < 1.3
 
 
+@pytest.mark.parametrize("size", [(848, 480), (640, 640)])  # 640: the most of a cloud
+def test_common_images_are_read_whole(size):
+    frame = perception.render(BODIES[:2], X_WC, perception.Camera(*size, 1.2))
+    found = graspless.perceive(frame.depth, frame.K, frame.X_WC)
+    assert not any("image is large" in text for text in found.warnings)
+
+
 def test_several_views_are_arrays_of_one_more_dimension(scene):
     second = perception.render(BODIES, X_WC, seed=2)
     both = graspless.perceive([FRAME.depth, second.depth], FRAME.K, np.stack([X_WC] * 2))

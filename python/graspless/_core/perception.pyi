@@ -104,7 +104,7 @@ class Options:
         """
         Returns a copy.
         """
-    def __init__(self, *, noise_constant: typing.SupportsFloat | typing.SupportsIndex = 0.001, noise_quadratic: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_tilt: typing.SupportsFloat | typing.SupportsIndex = 0.6, min_support_area: typing.SupportsFloat | typing.SupportsIndex = 0.06, min_object_area: typing.SupportsFloat | typing.SupportsIndex = 0.0001, min_thickness: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_height: typing.SupportsFloat | typing.SupportsIndex = 0.6, unseen_height: typing.SupportsFloat | typing.SupportsIndex = 0.15, max_pixels: typing.SupportsInt | typing.SupportsIndex = 400000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
+    def __init__(self, *, noise_constant: typing.SupportsFloat | typing.SupportsIndex = 0.001, noise_quadratic: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_tilt: typing.SupportsFloat | typing.SupportsIndex = 0.6, min_support_area: typing.SupportsFloat | typing.SupportsIndex = 0.06, min_object_area: typing.SupportsFloat | typing.SupportsIndex = 0.0001, min_thickness: typing.SupportsFloat | typing.SupportsIndex = 0.002, max_height: typing.SupportsFloat | typing.SupportsIndex = 0.6, unseen_height: typing.SupportsFloat | typing.SupportsIndex = 0.15, max_pixels: typing.SupportsInt | typing.SupportsIndex = 500000, seed: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
@@ -125,7 +125,7 @@ class Options:
         """
         Larger images are read at every second, third, ... pixel.
         
-        Range: [10000, 2.5e+07]. Default: 400000.
+        Range: [10000, 2.5e+07]. Default: 500000.
         """
     @max_pixels.setter
     def max_pixels(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:

@@ -543,7 +543,7 @@ TEST(Perceive, LargeImagesAreThinnedAndSaySo) {
   EXPECT_NEAR(scene.objects[0].thickness, 0.1, 0.001);
   EXPECT_LT((scene.objects[0].X_WO.translation() - Eigen::Vector3d(0, 0, 0.4)).norm(), 0.006);
   ASSERT_FALSE(scene.warnings.empty());
-  EXPECT_NE(scene.warnings[0].find("one of 3 rows"), std::string::npos);
+  EXPECT_NE(scene.warnings[0].find("one of 2 rows"), std::string::npos);
 }
 
 TEST(Perceive, RefusesACallersMistakesByName) {

@@ -19,7 +19,7 @@ struct Options {
   double min_thickness = 0.002;
   double max_height = 0.6;
   double unseen_height = 0.15;
-  std::int64_t max_pixels = 400'000;
+  std::int64_t max_pixels = 500'000;
   std::uint64_t seed = 1;
 };
 
