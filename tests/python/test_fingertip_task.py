@@ -339,6 +339,22 @@ def test_a_cavity_is_no_piece(write, tmp_path):
         graspless.load_task(write(text))
 
 
+@pytest.mark.parametrize("size", [0.02, 0.05, 0.08])
+def test_a_piece_that_is_inside_out_names_the_mesh(write, tmp_path, size):
+    import trimesh
+
+    boxes = [trimesh.creation.box([0.05, 0.05, 0.05]), trimesh.creation.box([size] * 3)]
+    boxes[1].apply_translation([0.1, 0, 0])
+    boxes[1].invert()
+    trimesh.util.concatenate(boxes).export(tmp_path / "a.stl")
+    text = changed(BOX, "mesh: {file: a.stl}", changed("mass: 1.0", "mass: 0.2"))
+    message = fault(write(text))
+    what = (
+        r"object.mesh: .*its piece of 12 triangles about \(.*\) is inside out .* and is no cavity"
+    )
+    assert re.search(what, message), message
+
+
 def test_a_tumble_of_what_stands_on_one_corner_says_the_gap_and_the_remedy(write):
     vertices = "[[0, 0, 0], [0.1, 0, 0.0003], [0, 0.1, 0.0004], [0, 0, 0.1]]"
     text = changed(BOX, TETRAHEDRON.replace(TETRAHEDRON.split(chr(10))[0][10:], vertices))

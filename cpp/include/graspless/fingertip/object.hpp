@@ -31,7 +31,8 @@ class GRASPLESS_API Object {
  public:
   /// Returns a box of uniform density, centred at O. `size`: side lengths along the axes [m].
   static Object box(const std::string& name, const Eigen::Vector3d& size, double mass);
-  /// Returns an object of uniform density from a closed mesh. An inverted mesh is turned outward.
+  /// Returns an object of uniform density from a closed mesh. An inverted mesh is turned outward,
+  /// but a single piece that is inverted must bound a cavity of another one.
   /// Throws std::invalid_argument that names `name` if the mesh is not closed, not consistently
   /// oriented, has no volume or more than kMaxTriangles triangles, or if the mass is not positive.
   static Object from_mesh(const std::string& name, const geometry::Mesh& mesh, double mass);

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "graspless/fingertip/object.hpp"
@@ -127,29 +128,6 @@ Eigen::Vector3d area_vector(const geometry::Mesh& mesh, int triangle) {
   return (mesh.vertices.col(t[1]) - a).cross(mesh.vertices.col(t[2]) - a);
 }
 
-/// The triangle across each edge (3 x triangles).
-Eigen::Matrix3Xi neighbours(const geometry::Mesh& mesh) {
-  const auto edge = [](int from, int to) {
-    return static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint64_t>(to);
-  };
-  std::unordered_map<std::uint64_t, int> owner;
-  const int count = static_cast<int>(mesh.triangles.cols());
-  for (int i = 0; i < count; ++i) {
-    poll();
-    for (int k = 0; k < 3; ++k) {
-      owner[edge(mesh.triangles(k, i), mesh.triangles((k + 1) % 3, i))] = i;
-    }
-  }
-  Eigen::Matrix3Xi across(3, count);
-  for (int i = 0; i < count; ++i) {
-    poll();
-    for (int k = 0; k < 3; ++k) {
-      across(k, i) = owner.at(edge(mesh.triangles((k + 1) % 3, i), mesh.triangles(k, i)));
-    }
-  }
-  return across;
-}
-
 /// Returns true if a triangle lies in the plane through `p` with outward normal n.
 bool lies_in(const geometry::Mesh& mesh, int triangle, const Eigen::Vector3d& area,
              const Eigen::Vector3d& p, const Eigen::Vector3d& n, double tolerance) {
@@ -192,11 +170,13 @@ geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what) 
   require_closed(out, what);
   const double size = diagonal(out.vertices);
   const double volume = mass_properties(out).volume;
-  if (!(std::abs(volume) > kMinVolume * size * size * size)) {
+  const double least = kMinVolume * size * size * size;
+  if (volume < 0) out.triangles.row(1).swap(out.triangles.row(2));
+  require_outward(out, least, what);
+  if (!(std::abs(volume) > least)) {
     refuse(what, "must have a volume, but has " + figure(volume) + " m^3 at a size of " +
                      figure(size) + " m");
   }
-  if (volume < 0) out.triangles.row(1).swap(out.triangles.row(2));
   return out;
 }
 

@@ -11,8 +11,16 @@
 namespace graspless::fingertip {
 
 /// The mesh with each vertex once, closed and outward. Throws std::invalid_argument, naming `what`,
-/// when it is too large, not closed, not oriented throughout or without volume.
+/// when it is too large, not closed, not oriented throughout or without volume. A piece may be
+/// inside out only where it bounds a cavity.
 geometry::Mesh closed_mesh(const geometry::Mesh& mesh, const std::string& what);
+
+/// The triangle across each edge (3 x triangles) of a closed mesh.
+Eigen::Matrix3Xi neighbours(const geometry::Mesh& mesh);
+
+/// Refuses pieces of a closed mesh whose triangles face inwards, unless they bound cavities. Pieces
+/// of less volume pass [m^3].
+void require_outward(const geometry::Mesh& mesh, double least_volume, const std::string& what);
 
 /// The mesh of a box centred at the origin, sides along the axes [m].
 geometry::Mesh box_mesh(const Eigen::Vector3d& size);

@@ -3,7 +3,9 @@
 #include "graspless/fingertip/object.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,7 @@
 
 #include "complaint.hpp"
 #include "fingertip/meshes.hpp"
+#include "fingertip/model/mesh.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -109,6 +112,43 @@ TEST(FingertipObject, TakesAnotherCentreAndInertia) {
   expect_refused([&] { box.with_com({std::nan(""), 0, 0}); }, "com");
   EXPECT_EQ(box.with_inertia(Eigen::Matrix3d::Identity()).inertia(), Eigen::Matrix3d::Identity());
   expect_refused([&] { box.with_inertia(-Eigen::Matrix3d::Identity()); }, "inertia");
+}
+
+/// Both meshes, the second one scaled, moved and perhaps inside out.
+geometry::Mesh with_cube(geometry::Mesh mesh, double size, const Eigen::Vector3d& center,
+                         bool is_inverted) {
+  geometry::Mesh cube = box_mesh({size, size, size});
+  cube.vertices.colwise() += center;
+  if (is_inverted) cube.triangles.row(1).swap(cube.triangles.row(2));
+  const Eigen::Index corners = mesh.vertices.cols(), triangles = mesh.triangles.cols();
+  mesh.vertices.conservativeResize(3, corners + 8);
+  mesh.vertices.rightCols(8) = cube.vertices;
+  mesh.triangles.conservativeResize(3, triangles + 12);
+  mesh.triangles.rightCols(12) = cube.triangles.array() + static_cast<int>(corners);
+  return mesh;
+}
+
+TEST(FingertipObject, APieceThatIsInsideOutMustBeACavity) {
+  const auto make = [](const geometry::Mesh& mesh) { return Object::from_mesh("it", mesh, 1); };
+  const geometry::Mesh big = box_mesh({0.06, 0.06, 0.06});
+  const std::string complaint = "object 'it' mesh must be oriented throughout, but its piece of 12";
+  for (const double x : {0.06, 0.04, 0.035, -0.2}) {  // beside it, flush with it, part in it
+    expect_refused([&] { make(with_cube(big, 0.02, {x, 0, 0}, true)); }, complaint);
+    EXPECT_NO_THROW(make(with_cube(big, 0.02, {x, 0, 0}, false)));
+  }
+  expect_refused([&] { make(with_cube(big, 0.06, {0.1, 0, 0}, true)); }, complaint);  // no volume
+  expect_refused([&] { make(with_cube(big, 0.08, {0.1, 0, 0}, true)); }, complaint);
+  // The empty corner of an L lies within its bounding box.
+  expect_refused([&] { make(with_cube(l_mesh(), 0.5, {2, 0.5, 1.5}, true)); }, complaint);
+
+  const Object hollow = make(with_cube(big, 0.02, {0.01, 0, 0}, true));
+  const double part = std::pow(0.02 / 0.06, 3);
+  EXPECT_NEAR(hollow.com().x(), -part * 0.01 / (1 - part), 1e-12);
+  EXPECT_NO_THROW(make(with_cube(big, 0.02, {0.02, 0, 0}, true)));  // up to the wall
+  geometry::Mesh turned = with_cube(big, 0.02, {0.01, 0, 0}, true);
+  turned.triangles.row(1).swap(turned.triangles.row(2));
+  EXPECT_EQ(make(turned).com(), hollow.com());
+  EXPECT_NO_THROW(make(with_cube(with_cube(big, 0.04, {0, 0, 0}, true), 0.02, {0, 0, 0}, false)));
 }
 
 TEST(FingertipObject, RefusesBadMeshes) {
