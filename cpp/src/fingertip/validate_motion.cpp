@@ -23,7 +23,6 @@ namespace {
 
 using mechanics::Vector6d;
 
-constexpr std::size_t kMaxPoses = 100000;
 constexpr double kOnLattice = 1e-6;
 constexpr double kMaxLatticePoses = 1e9;  // they are counted by an int
 
@@ -61,7 +60,7 @@ void check_standing(const Problem& problem, Clearance& clearance, const Eigen::I
 
 void check_path(const Problem& problem, Clearance& clearance, const Path& path) {
   const auto& X_WO = path.X_WO;
-  if (X_WO.size() < 2 || X_WO.size() > kMaxPoses) {
+  if (X_WO.size() < 2 || X_WO.size() > std::size_t{kMaxPoses}) {
     throw std::invalid_argument("motion.X_WO must have 2 to " + std::to_string(kMaxPoses) +
                                 " poses, not " + std::to_string(X_WO.size()));
   }

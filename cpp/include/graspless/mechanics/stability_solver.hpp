@@ -32,6 +32,7 @@ struct FingerWrenches {
   double max_normal_force = 10;  ///< [N]
 };
 
+/// Both throw like validate(), and finger_wrenches() for an index without a finger.
 GRASPLESS_API EnvironmentWrenches environment_wrenches(const ContactSet& set);
 GRASPLESS_API FingerWrenches finger_wrenches(const ContactSet& set, int finger);
 

@@ -38,8 +38,9 @@ Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R) {
 constexpr double kJoint = 1e-6;  // how well paths must meet [m, rad]
 
 void require_segments(int segments) {
-  if (segments >= 1) return;
-  throw std::invalid_argument("segments must be one or more, not " + std::to_string(segments));
+  if (segments >= 1 && segments < kMaxPoses) return;
+  throw std::invalid_argument("segments must be 1 to " + std::to_string(kMaxPoses - 1) + ", not " +
+                              std::to_string(segments));
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Columns of Eq. (3), scaled: wrenches of the edges of all cones.
+#include <stdexcept>
+#include <string>
+
 #include <Eigen/Geometry>
 
 #include "graspless/mechanics/stability_solver.hpp"
@@ -49,6 +52,7 @@ ContactSet with_round_cones(ContactSet set) {
 }
 
 EnvironmentWrenches environment_wrenches(const ContactSet& set) {
+  validate(set);
   Eigen::Index columns = 0;
   for (const Contact& contact : set.contacts) {
     columns += contact.mode == ContactMode::stick ? set.cone_edges : 1;
@@ -66,6 +70,12 @@ EnvironmentWrenches environment_wrenches(const ContactSet& set) {
 }
 
 FingerWrenches finger_wrenches(const ContactSet& set, int finger) {
+  validate(set);
+  if (finger < 0 || finger >= static_cast<int>(set.fingers.size())) {
+    throw std::invalid_argument("finger must be an index of contact set.fingers, which has " +
+                                std::to_string(set.fingers.size()) + ", not " +
+                                std::to_string(finger));
+  }
   const Finger& f = set.fingers.at(static_cast<std::size_t>(finger));
   const Eigen::Matrix3Xd edges = cone_of(f, set.cone_edges);
   FingerWrenches wrench;

@@ -3,6 +3,7 @@
 #include "fingertip/model/screw.hpp"
 
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,9 @@ TEST(FingertipPaths, JoinWhereTheyMeet) {
 
 TEST(FingertipPaths, RefuseNonsense) {
   expect_refused([] { slide_path(at(0, 0, 0), {1, 0, 0}, 0); }, "segments");
+  const std::string bound = "segments must be 1 to 99999, not 100000000";
+  expect_refused([] { slide_path(at(0, 0, 0), {1, 0, 0}, 100'000'000); }, bound);
+  expect_refused([] { turn_path(at(0, 0, 0), {0, 0, 0}, {0, 0, 1}, 1, 100'000'000); }, bound);
   expect_refused([] { slide_path(at(0, 0, 0), {0, 0, 0}, 3); }, "translation_W");
   expect_refused([] { turn_path(at(0, 0, 0), {0, 0, 0}, {0, 0, 0}, 1, 3); }, "axis_W");
   expect_refused([] { turn_path(at(0, 0, 0), {0, 0, 0}, {0, 0, 1}, 0, 3); }, "angle");

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -54,6 +56,24 @@ TEST(Wrenches, FingersKnowTheirNormalForces) {
     EXPECT_NEAR(finger.normal[j], -finger.generators(1, j), 1e-14);
     EXPECT_NEAR(finger.normal[j], 1 / std::sqrt(1.49), 1e-14);
   }
+}
+
+TEST(Wrenches, RefuseWhatIsNoContact) {
+  const auto refused = [](const ContactSet& set, int finger) {
+    try {
+      finger < 0 ? void(environment_wrenches(set)) : void(finger_wrenches(set, finger));
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  ContactSet set = one_slides_one_sticks();
+  EXPECT_NE(refused(set, 1).find("finger must be an index"), std::string::npos);
+  set.contacts[0].n_O.setZero();
+  EXPECT_NE(refused(set, -1).find("contacts[0]"), std::string::npos) << refused(set, -1);
+  set = one_slides_one_sticks();
+  set.fingers[0].n_O.setZero();
+  EXPECT_NE(refused(set, 0).find("fingers[0]"), std::string::npos) << refused(set, 0);
 }
 
 TEST(Wrenches, NoiseDoesNotPassForALever) {
