@@ -11,7 +11,7 @@ import pytest
 
 import graspless
 import inspect_common as small
-from graspless import _data, frames, pinch, robot
+from graspless import _data, frames, geometry, pinch, robot, scene
 from graspless.errors import TaskError
 from graspless.tasks import task_from_dict
 from graspless.tasks.grip import ends_of_curves, weakest_joint
@@ -207,6 +207,51 @@ def test_fingers_that_turn_keep_off_the_support_while_they_close(tmp_path, hand)
         solved += bool(found)
         assert not found or graspless.check(found) == []
     assert solved >= 3
+
+
+def gaps_on_the_way_down(plan):
+    """Returns the gap that the hand leaves on either side of the object, at most 3 mm [m]."""
+    problem = plan.task.problem
+    hand, frame = problem.robot, problem.hand.grasp_frame
+    world = scene.Scene(hand)
+    size = np.append(np.ptp(problem.object.outline.vertices, axis=0), problem.object.thickness)
+    world.add_object("object", [geometry.PlacedShape(geometry.Box(size))])
+    X_HW = np.linalg.inv(plan.X_WH_grasp)
+    down = [q for q in plan.segments[1].positions if (X_HW @ hand.pose(frame, q))[2, 3] < -1e-3]
+    across = plan.contacts_O[1] - plan.contacts_O[0]
+    across /= np.linalg.norm(across)
+
+    def touches(off):
+        X_OB = np.eye(4)
+        X_OB[:3, 3] = off * across + [0, 0, size[2] / 2]
+        world.move_object("object", plan.X_WO_start @ X_OB)
+        return any("object" in (world.collision(q) or ()) for q in down)
+
+    steps = np.arange(0, 3.01e-3, 1e-4)
+    return [next((off for off in steps if touches(side * off)), 3e-3) for side in (-1, 1)]
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.4, 1.5])
+def test_a_jaw_that_does_not_move_comes_aside_of_the_object(tmp_path, yaw):
+    jaws = small.one_jaw().replace("revolute", "prismatic").replace("-1.4", "-0.05")
+    jaws = jaws.replace('axis xyz="-1 0 0"', 'axis xyz="0 1 0"')
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what the URDF does not say
+        robot.inspect(robot.Robot.from_urdf(small.gripper("jaw", jaws))).write(tmp_path)
+    task = changed(
+        robot__urdf=str(tmp_path / "jaw.urdf"),
+        object__rectangle={"size": [0.09, 0.02]},
+        object__pose={"x": 0.45, "y": 0.05, "yaw": yaw},
+    )
+    found = graspless.plan(task, seed=1)
+    assert found, found.reason
+    assert graspless.check(found) == []
+    assert min(gaps_on_the_way_down(found)) > 0.0017
+    near = graspless.plan({**task, "options": {"margin": 0.0}}, seed=1)
+    assert near, near.reason
+    assert graspless.check(near) == []
+    faults = pinch.check(near.task.problem, near, pinch.Options())
+    assert any("a finger passes at" in fault for fault in faults)
 
 
 def with_effort(folder, effort):

@@ -27,6 +27,8 @@ constexpr double kUnevenEnd = 0.0035;  // gap left at one finger when the other 
 constexpr double kPressed = 0.001;     // depth of the fingers in the object at the end [m]
 constexpr double kSideways = 0.0025;   // of the hand from its straight line [m]
 constexpr double kTurn = 0.025;        // of the hand on it [rad]
+constexpr double kArrived = 0.001;     // height over its end at which the hand may go sideways [m]
+constexpr double kNearer = 2.5e-4;     // of a finger to the object, between waypoints [m]
 constexpr double kPreshaped = 5e-4;    // of joints of a hand that is not quite open [rad or m]
 const std::vector<std::string> kNames = {"approach", "grasp", "close"};
 
@@ -47,6 +49,7 @@ class Examination {
     for (const Segment& segment : plan_.segments)
       check_collisions(segment, slide::contacts_of(segment.name));
     check_straight();
+    check_margin();
     check_closing();
     check_untouched();
     check_contacts();
@@ -173,17 +176,40 @@ class Examination {
     return problem_.robot.pose(problem_.robot.frame(problem_.hand.grasp_frame), q);
   }
 
+  /// The hand comes straight, aside of where it closes if one jaw opens too little, and goes
+  /// sideways at the end.
   void check_straight() {
     const Segment& grasp = plan_.segments[1];
     const Isometry3d X_HW = plan_.X_WH_grasp.inverse();
+    const double aside = (X_HW * hand_at(grasp.positions.front())).translation().y();
     for (std::size_t i = 0; i < grasp.positions.size(); ++i) {
       const Isometry3d X_HH = X_HW * hand_at(grasp.positions[i]);
-      if (X_HH.translation().head<2>().norm() > kSideways)
+      const Vector3d p = X_HH.translation();
+      const double end = p.z() < -kArrived ? aside : 0,
+                   line = std::clamp(p.y(), std::min(aside, end), std::max(aside, end));
+      if (std::hypot(p.x(), p.y() - line) > kSideways)
         fault(grasp, i, "the hand leaves its straight line");
       if (Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) fault(grasp, i, "the hand turns");
     }
     if (!scene::is_same(hand_at(grasp.positions.back()), plan_.X_WH_grasp, kSame))
       fault("plan", "X_WH_grasp is not where the hand ends");
+  }
+
+  /// Each finger of the hand that comes keeps the margin from the face on its side.
+  void check_margin() {
+    const Segment& grasp = plan_.segments[1];
+    const Grip grip = jaw_.at(grasp.positions.front());
+    const double middle = grip.contact_H.y(), half = grip.gap / 2;
+    bool is_told = false;
+    scene::replay_rows(problem_.robot, grasp.positions, [&](std::size_t row, const VectorXd& q) {
+      const Isometry3d X_HW = hand_at(q).inverse(), X_HO = X_HW * problem_.X_WO_start;
+      if (is_told || (X_HW * plan_.X_WH_grasp).translation().z() < kArrived) return;
+      const double a = (X_HO * contact(0)).y(), b = (X_HO * contact(1)).y(),
+                   gap = half - std::max(std::abs(a - middle), std::abs(b - middle));
+      if (gap >= options_.margin - kNearer) return;
+      is_told = true;
+      fault(grasp, row, "a finger passes at " + figure(gap) + " m, less than options.margin");
+    });
   }
 
   /// Interval that the shapes of one side of the hand take along a direction of W at q [m].

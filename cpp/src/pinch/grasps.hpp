@@ -20,7 +20,8 @@ struct Grasp {
   double height;  ///< of the contacts over the support [m]
   double tilt;    ///< of the approach from straight down, about the closing direction [rad]
   Eigen::Isometry3d X_WH;
-  double cost;  ///< the less, the sooner it is tried
+  double shift;  ///< along Y_H, with which the hand comes, so that both fingers keep the margin [m]
+  double cost;   ///< the less, the sooner it is tried
 };
 
 /// Hand poses in the order of their cost; or why there are none.

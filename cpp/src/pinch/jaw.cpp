@@ -181,6 +181,13 @@ std::optional<Grip> Jaw::at_width(double width) const {
   return closed_by(apart);
 }
 
+double Jaw::shift(const Grip& grip, double width, double margin) const {
+  constexpr double kEven = 1e-5;  // jaws that open equally far [m]
+  const double off = open_.contact_H.y() - grip.contact_H.y(),
+               nearest = (open_.gap - width) / 2 - std::abs(off);
+  return margin - nearest <= kEven ? 0 : std::copysign(margin - nearest, -off);
+}
+
 std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
   std::array<Eigen::AlignedBox3d, 2> boxes;
   const std::array both{&own_, &others_};

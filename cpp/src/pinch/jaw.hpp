@@ -57,6 +57,9 @@ class Jaw {
   const Grip& open() const { return open_; }
   /// The hand, closed until its fingers are `width` apart; nothing if it opens or closes less.
   std::optional<Grip> at_width(double width) const;
+  /// By how much the hand must come aside of where it closes on two faces, along Y_H, so that each
+  /// finger keeps `margin` from its face [m]. 0 unless one jaw opens less than the other.
+  double shift(const Grip& grip, double width, double margin) const;
   /// Distance between the fingers at a configuration of all joints [m].
   /// The hand at a configuration of all joints.
   Grip at(const Eigen::VectorXd& q) const;

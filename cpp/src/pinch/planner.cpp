@@ -124,8 +124,8 @@ class Search {
     return found;
   }
 
-  /// Closes the hand, and moves it straight to where it closes; nothing if it cannot. One finger
-  /// may touch before the other (`is_uneven`).
+  /// Closes the hand, and moves it straight to where it closes, the last bit sideways if one jaw
+  /// opens too little; nothing if it cannot. One finger may touch before the other (`is_uneven`).
   std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q, bool& is_uneven) {
     slide::HandMotion::Closing closing = hand_.close(arm_.part(q));
     const auto& [a, b] = closing.touching;
@@ -139,9 +139,14 @@ class Search {
       return std::nullopt;
     }
     std::vector<Eigen::Isometry3d> outwards;
-    const int steps = slide::pieces(options_.approach, kGraspStep);
+    const double shift = grasp.shift;
+    const int aside = shift == 0 ? 0 : slide::pieces(std::abs(shift), kGraspStep),
+              steps = slide::pieces(options_.approach, kGraspStep);
+    for (int i = 1; i <= aside; ++i)
+      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, shift * i / aside, 0));
     for (int i = 1; i <= steps; ++i) {
-      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, 0, -options_.approach * i / steps));
+      const double back = -options_.approach * i / steps;
+      outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, shift, back));
     }
     const auto out = hand_.track(ik_, arm_.part(q), outwards);
     if (!out) {

@@ -89,6 +89,7 @@ void Poses::add(Faces pair, const Grip& grip, const std::vector<Shapes>& fingers
     X_SH.translation() = Vector3d(p_S.x(), p_S.y(), height) - R_SH * grip.contact_H;
     const double off = has_walls_ ? 0 : std::abs(height - best_) / kLever;
     all_.push_back({pair, height, tilt, problem_.support.X_WS() * X_SH,
+                    jaw_.shift(grip, pair.width, options_.margin),
                     cost(pair) + kUprightTilt * std::abs(tilt) / (M_PI / 2) + off});
   }
 }

@@ -107,7 +107,7 @@ class Options:
     @property
     def margin(self) -> float:
         """
-        Least gap between the object and each finger of the open hand.
+        Least gap between the object and each finger of the open hand that comes to it. Where a jaw opens less, the hand comes aside by what is missing and goes sideways at the end.
         
         Unit: m. Range: [0, 0.05]. Default: 0.002.
         """

@@ -34,9 +34,11 @@ constexpr auto fields(const Options&) {
             "Largest coefficient of friction that the pinch may need: the tangent of the angle "
             "between the closing direction and a face's normal.",
             Range::left_open(0, 10)},
-      Field{"margin", &Options::margin, "m",
-            "Least gap between the object and each finger of the open hand.",
-            Range::closed(0, 0.05)},
+      Field{
+          "margin", &Options::margin, "m",
+          "Least gap between the object and each finger of the open hand that comes to it. Where a "
+          "jaw opens less, the hand comes aside by what is missing and goes sideways at the end.",
+          Range::closed(0, 0.05)},
       Field{"clearance", &Options::clearance, "m",
             "Least height of the fingers above the support, and of the object's top above the "
             "contacts.",
