@@ -248,6 +248,22 @@ void find_weakest(Plan& plan) {
   }
 }
 
+/// The plan holds while the fingers are on the object. At its ends they are not.
+void warn_of_falling(const Problem& problem, const std::vector<Stage>& stages, Plan& plan) {
+  const auto warn = [&](const Eigen::Isometry3d& X_WO, const std::string& pose,
+                        const std::string& until) {
+    if (stands_alone(problem, X_WO)) return;
+    plan.warnings.push_back("the object does not stay at the " + pose +
+                            " pose by itself: without fingers, floor and walls cannot balance its "
+                            "weight there; let something hold it " +
+                            until);
+  };
+  if (problem.fingers.start.empty()) {  // else they are there already
+    warn(stages.front().X_WO.front(), "first", "until the fingers press");
+  }
+  warn(stages.back().X_WO.back(), "last", "before the fingers leave");
+}
+
 }  // namespace
 
 std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route) {
@@ -269,6 +285,7 @@ void assemble(const std::vector<Stage>& stages, const Locations& locations, Inst
   Assembler(locations, instants, evaluator, plan).run(stages);
   subtract_drift(instants.problem(), plan);
   find_weakest(plan);
+  warn_of_falling(instants.problem(), stages, plan);
 }
 
 }  // namespace graspless::fingertip

@@ -7,8 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "graspless/mechanics/equilibrium.hpp"
 #include "graspless/watch.hpp"
+
+#include "fingertip/model/screw.hpp"
+#include "mechanics/contacts/cones.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -39,6 +44,31 @@ bool are_equal(const std::vector<double>& a, const std::vector<double>& b) {
          });
 }
 
+/// Throws std::invalid_argument when points cannot represent the contacts, or there is none.
+mechanics::ContactPatches patches_at(const Problem& problem,
+                                     const std::vector<mechanics::Plane>& planes,
+                                     const mechanics::BodyState& state) {
+  const Object& object = problem.object;
+  mechanics::ContactPatches patches = mechanics::contact_patches(
+      object.hull(), object.com(), planes, state, kContactTolerance * object.size());
+  if (!patches.fault.empty()) throw std::invalid_argument("motion: " + patches.fault);
+  if (patches.contacts.empty()) {
+    throw std::invalid_argument("motion: the object floats, touching no plane");
+  }
+  return patches;
+}
+
+/// These contacts, and the object's weight.
+mechanics::ContactSet loaded(const Problem& problem, const Eigen::Isometry3d& X_WO,
+                             std::vector<mechanics::Contact> contacts) {
+  mechanics::ContactSet set;
+  set.contacts = std::move(contacts);
+  set.com_O = problem.object.com();
+  set.known_wrench_O = mechanics::gravity_wrench(problem.object.mass(),
+                                                 X_WO.linear().transpose() * problem.gravity_W);
+  return set;
+}
+
 }  // namespace
 
 std::vector<mechanics::Plane> contact_planes(const Problem& problem) {
@@ -64,6 +94,13 @@ int num_intervals(const Problem& problem) {
   return count;
 }
 
+bool stands_alone(const Problem& problem, const Eigen::Isometry3d& X_WO) {
+  const mechanics::BodyState state = resting_state(X_WO, mechanics::Vector6d::Zero());
+  const mechanics::ContactSet set =
+      loaded(problem, X_WO, patches_at(problem, contact_planes(problem), state).contacts);
+  return mechanics::interior_equilibrium(mechanics::with_round_cones(set), {}, {}).has_value();
+}
+
 Instants::Instants(const Problem& problem, const Options& options)
     : problem_(problem),
       options_(options),
@@ -86,26 +123,17 @@ Instants::Instants(const Problem& problem, const Options& options)
 
 int Instants::add(const mechanics::BodyState& state) {
   poll();
-  const Object& object = problem_.object;
-  mechanics::ContactPatches patches = mechanics::contact_patches(
-      object.hull(), object.com(), planes_, state, kContactTolerance * object.size());
-  if (!patches.fault.empty()) throw std::invalid_argument("motion: " + patches.fault);
-  if (patches.contacts.empty()) {
-    throw std::invalid_argument("motion: the object floats, touching no plane");
-  }
+  mechanics::ContactPatches patches = patches_at(problem_, planes_, state);
   Instant instant;
-  instant.set.contacts = std::move(patches.contacts);
+  instant.set = loaded(problem_, state.X_WO, std::move(patches.contacts));
   for (const int plane : patches.plane) {
     instant.surfaces.push_back(surface_of_plane_[static_cast<std::size_t>(plane)]);
   }
-  instant.set.com_O = object.com();
-  instant.set.known_wrench_O = mechanics::gravity_wrench(
-      object.mass(), state.X_WO.linear().transpose() * problem_.gravity_W);
   instant.set.wrench_scale = wrench_scale_;
   instant.set.cone_edges = options_.cone_edges;
   instant.turns_in_plane = patches.turns_in_plane;
 
-  std::vector<double> key = key_of(instant.set, object.size());
+  std::vector<double> key = key_of(instant.set, problem_.object.size());
   key.insert(key.end(), instant.surfaces.begin(), instant.surfaces.end());
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     if (are_equal(keys_[i], key)) return static_cast<int>(i);

@@ -34,6 +34,10 @@ bool shares_friction(const Problem& problem);
 /// Number of coefficients between object and planes of which only bounds are known.
 int num_intervals(const Problem& problem);
 
+/// True if the planes alone balance the object's weight at this pose, with friction at the lower
+/// ends of its intervals.
+bool stands_alone(const Problem& problem, const Eigen::Isometry3d& X_WO);
+
 /// The distinct instants of a problem.
 class Instants {
  public:
