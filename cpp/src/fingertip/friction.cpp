@@ -4,6 +4,8 @@
 // Friction known as an interval, by counter-examples: a search looks at a few coefficients alone,
 // and a plan it finds is proven for all or gives another to look at.
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -99,6 +101,12 @@ std::string sentence(const Problem& problem, const Plan& plan, const FrictionFai
   return out.str();
 }
 
+std::size_t num_rows(const Plan& plan) {
+  std::size_t rows = 0;
+  for (const Segment& segment : plan.segments) rows += segment.rows.size();
+  return rows;
+}
+
 }  // namespace
 
 std::optional<FrictionFailure> find_friction_failure(const Problem& problem, const Options& options,
@@ -125,13 +133,15 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
 }
 
 void plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
-                        const std::function<Plan()>& search, Plan& plan) {
+                        planning::Clock& clock, const std::function<Plan()>& search, Plan& plan) {
   plan = search();
   const int rounds = max_rounds(problem);
   if (rounds == 0) return;
   std::vector<double> last;
   for (int round = 0; plan; ++round) {
-    const auto failure = find_friction_failure(problem, options, instants, plan);
+    std::optional<FrictionFailure> failure;
+    const auto examine = [&] { failure = find_friction_failure(problem, options, instants, plan); };
+    if (!clock.conclude(examine, num_rows(plan))) throw Stop{};
     if (!failure) break;
     // Coefficients that can be neither proven nor refuted come again, so the search ends.
     const bool gives_up = round == rounds || failure->verdict.environment == last;

@@ -86,10 +86,14 @@ void count(const SearchContext& context, const planning::Clock& clock, Statistic
 void write_up(const std::vector<Stage>& stages, SearchContext& context, planning::Clock& clock,
               Plan& plan) {
   Plan whole = plan;
-  const bool has_ended = clock.conclude([&] {
+  std::size_t rows = stages.size();  // one for each regrasp
+  for (const Stage& stage : stages) {
+    rows += stage.X_WO.size() * static_cast<std::size_t>(context.options.samples_per_arc);
+  }
+  const auto write = [&] {
     assemble(stages, context.locations, context.instants, context.evaluators.front(), whole);
-  });
-  if (!has_ended) {
+  };
+  if (!clock.conclude(write, rows)) {
     blame_clock(clock, plan);
     if (plan.status == Status::out_of_time)
       plan.reason = "a plan was found, but the time was over before it was written up";
@@ -116,8 +120,8 @@ Plan solve(const Problem& problem, const Options& options, planning::Clock& cloc
     return plan_graph(context, std::get<Lattice>(problem.motion), clock);
   };
   Plan plan;
-  const bool has_ended =
-      clock.run([&] { plan_over_friction(problem, options, context.instants, search, plan); });
+  const bool has_ended = clock.run(
+      [&] { plan_over_friction(problem, options, context.instants, clock, search, plan); });
   if (!has_ended) {  // the bound also holds with friction anywhere in its interval
     const double lower_bound = plan.lower_bound;
     plan = Plan();

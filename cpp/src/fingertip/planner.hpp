@@ -91,7 +91,8 @@ std::vector<Stage> stages_of(const PoseGraph& graph, const Route& route);
 void assemble(const std::vector<Stage>& stages, const Locations& locations, Instants& instants,
               Evaluator& evaluator, Plan& plan);
 
-/// Fills a plan from the stages that a search found, if the clock leaves time for it.
+/// Fills a plan from the stages that a search found. If the time is over, this still takes time in
+/// proportion to the rows (planning::Clock::conclude).
 void write_up(const std::vector<Stage>& stages, SearchContext& context, planning::Clock& clock,
               Plan& plan);
 
@@ -113,8 +114,9 @@ std::optional<FrictionFailure> find_friction_failure(const Problem& problem, con
 /// it is in `plan`. Each coefficient that it fails for is added to those of `instants`, and the
 /// search runs anew. If that does not end, the plan is `unstable`, and its reason says that the
 /// search gave up and names the last such coefficient: a plan may exist. Where friction is known
-/// exactly, this is one search.
+/// exactly, this is one search. A plan that was found last may be examined after the time is over,
+/// for a time in proportion to its rows.
 void plan_over_friction(const Problem& problem, const Options& options, Instants& instants,
-                        const std::function<Plan()>& search, Plan& plan);
+                        planning::Clock& clock, const std::function<Plan()>& search, Plan& plan);
 
 }  // namespace graspless::fingertip

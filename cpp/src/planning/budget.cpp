@@ -10,6 +10,7 @@ namespace {
 constexpr std::chrono::milliseconds kPollInterval{4};
 constexpr std::chrono::milliseconds kGrace{15};  // for loops that ask is_out() and end in order
 constexpr std::chrono::milliseconds kToConclude{40};
+constexpr std::chrono::milliseconds kToConcludeRow{10};  // twenty times what one takes
 
 // Growth that is not held against a query: free lists of the allocator, other threads' small work.
 constexpr double kUnnoticed = 20e6;  // [bytes]
@@ -29,14 +30,18 @@ bool Clock::spend() {
 
 bool Clock::is_out() {
   if (out_since_) return true;
+  look_if_due();
   const auto now = Steady::now();
-  if (now >= next_poll_ || announced_memory() > 0) {
-    next_poll_ = now + kPollInterval;
-    look();
-  }
   const bool is_late = std::chrono::duration<double>(now - start_).count() >= budget_.seconds;
   if (is_late || interrupted_ || out_of_memory_) out_since_ = now;
   return out_since_.has_value();
+}
+
+void Clock::look_if_due() {
+  const auto now = Steady::now();
+  if (now < next_poll_ && announced_memory() <= 0) return;
+  next_poll_ = now + kPollInterval;
+  look();
 }
 
 void Clock::look() {
@@ -49,8 +54,16 @@ void Clock::look() {
 }
 
 void Clock::require() {
-  const auto grace = concludes_ ? kToConclude : kGrace;
-  if (is_out() && (out_of_memory_ || Steady::now() >= *out_since_ + grace)) throw Stop{};
+  if (!is_out()) return;
+  if (concluding_ && !interrupted_ && !out_of_memory_) {  // the time is over, and nothing else
+    look_if_due();
+    if (interrupted_) out_since_ = Steady::now();
+  }
+  std::chrono::milliseconds grace = concluding_ ? kToConclude : kGrace;
+  if (concluding_ && !interrupted_) {
+    grace += kToConcludeRow * static_cast<std::chrono::milliseconds::rep>(*concluding_);
+  }
+  if (out_of_memory_ || Steady::now() >= *out_since_ + grace) throw Stop{};
 }
 
 std::string Clock::reason() const {

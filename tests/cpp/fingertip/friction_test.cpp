@@ -59,7 +59,8 @@ TEST(PlanOverFriction, LooksAtEachCoefficientThatAPlanFailsFor) {
     ++searches;
     return planned_at(problem, 0.5);  // never learns
   };
-  plan_over_friction(problem, options, instants, search, found);
+  planning::Clock clock{planning::Budget{}};
+  plan_over_friction(problem, options, instants, clock, search, found);
   EXPECT_EQ(found.status, Status::unstable);
   EXPECT_NE(found.reason.find("the last one found fails at"), std::string::npos) << found.reason;
   EXPECT_GT(searches, 1);

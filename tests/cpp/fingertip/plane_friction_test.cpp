@@ -149,8 +149,9 @@ TEST(PlaneFriction, APlanThatFailsNamesThePlane) {
       stability_at(problem, found, options, failure->verdict.environment, failure->verdict.fingers),
       options.min_stability);
   Plan none;
+  planning::Clock clock{planning::Budget{}};
   plan_over_friction(
-      problem, options, instants, [&] { return found; }, none);
+      problem, options, instants, clock, [&] { return found; }, none);
   EXPECT_NE(none.reason.find("fails at 0.5 (environment), "), std::string::npos) << none.reason;
   EXPECT_NE(none.reason.find(" (plane 'beside') and 0.7 (fingers)"), std::string::npos)
       << none.reason;

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // plan() on the paper's cases: costs, and what every plan must hold.
+#include "fingertip/planner.hpp"
+
 #include <gtest/gtest.h>
+
+#include "graspless/watch.hpp"
 
 #include "fingertip/cases.hpp"
 
@@ -144,6 +148,79 @@ TEST(FingertipPlanner, SaysWhyNothingWasFound) {
   EXPECT_EQ(late.status, Status::out_of_time);
   budget.interrupted = [] { return true; };
   EXPECT_EQ(plan(tumble_case(true, 10), options, budget).status, Status::interrupted);
+}
+
+/// Warnings that an object does not stay where it is by itself.
+std::vector<std::string> falls(const Plan& plan) {
+  std::vector<std::string> found;
+  for (const std::string& warning : plan.warnings) {
+    if (warning.find("does not stay at the") != std::string::npos) found.push_back(warning);
+  }
+  return found;
+}
+
+TEST(FingertipPlanner, WarnsOfObjectsThatDoNotStayByThemselves) {
+  const auto found = [](const Problem& problem) {
+    Plan solved = plan(problem);
+    EXPECT_TRUE(solved) << solved.reason;
+    return solved;
+  };
+  for (const double friction : {0.0, 0.5}) {
+    Problem upright = slide_case(10, 3);
+    upright.friction = {friction, friction};
+    EXPECT_EQ(falls(found(upright)), std::vector<std::string>());
+  }
+  EXPECT_EQ(falls(found(tumble_case(true, 10))), std::vector<std::string>());
+
+  Problem sideways = slide_case(10, 3);
+  sideways.gravity_W = {1, 0, 0};
+  const std::vector<std::string> both = falls(found(sideways));
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NE(both[0].find("at the first pose"), std::string::npos) << both[0];
+  EXPECT_NE(both[0].find("until the fingers press"), std::string::npos) << both[0];
+  EXPECT_NE(both[1].find("at the last pose"), std::string::npos) << both[1];
+
+  Problem half = tumble_case(false, 5);  // ends on an edge
+  half.motion = turn_path(at(0, 0, 5), {2.5, 0, 0}, Eigen::Vector3d::UnitY(), M_PI / 10, 5);
+  const Plan onto_edge = found(half);
+  ASSERT_EQ(falls(onto_edge).size(), 1U);
+  EXPECT_NE(falls(onto_edge)[0].find("at the last pose"), std::string::npos);
+
+  Problem held = sideways;  // by fingers that are there already
+  const Plan before = found(sideways);
+  for (const FingerState& finger : before.segments.front().rows.front().fingers) {
+    held.fingers.start.push_back(finger.p_OC);
+  }
+  EXPECT_EQ(falls(found(held)).size(), 1U);
+}
+
+TEST(FingertipPlanner, WritesUpWhatWasFoundAfterTheTime) {
+  Problem problem = tumble_case(false, 300);
+  problem.planes.resize(1);
+  problem.object = Object::box("cuboid", {5, 5, 10}, 0.3);
+  Options options;
+  options.locations_per_side = 3;
+  options.threads = 1;
+  SearchContext context(problem, options);
+  const PoseGraph graph(problem, std::get<Path>(problem.motion), context.locations,
+                        context.instants, options);
+  planning::Clock early{planning::Budget{}};
+  Statistics statistics;
+  const Route route = search(graph, context, early, statistics);
+  ASSERT_TRUE(route.found);
+
+  planning::Budget budget;
+  budget.seconds = 1e-9;
+  planning::Clock late(budget);
+  Plan found;
+  EXPECT_TRUE(late.run([&] {
+    EXPECT_TRUE(late.is_out());
+    write_up(stages_of(graph, route), context, late, found);
+    poll();
+  }));
+  ASSERT_EQ(found.status, Status::solved) << found.reason;
+  EXPECT_GE(late.seconds(), 0.06);  // more than 40 ms, or this tests nothing
+  EXPECT_EQ(check(problem, found, options), std::vector<std::string>());
 }
 
 }  // namespace

@@ -68,6 +68,55 @@ TEST(Budget, GivesMoreTimeToWhatConcludes) {
   EXPECT_GE(clock.seconds(), budget.seconds + 0.04);
 }
 
+TEST(Budget, GivesTimeInProportionToTheRows) {
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget);
+  EXPECT_TRUE(clock.run([&] {
+    while (!clock.is_out()) poll();
+    const auto slow = [&] {
+      while (clock.seconds() < 0.2) poll();
+    };
+    EXPECT_TRUE(clock.conclude(slow, 100));
+    announce_memory(2e6);  // checks at once: the search may end in order
+  }));
+  EXPECT_FALSE(clock.conclude(
+      [] {
+        for (;;) poll();
+      },
+      10));
+  EXPECT_GE(clock.seconds(), 0.2 + 0.04 + 0.1);
+}
+
+TEST(Budget, SignalsEndWhatConcludes) {
+  Budget budget;
+  budget.seconds = 0.01;
+  bool signal = false;
+  budget.interrupted = [&] { return signal; };
+  Clock clock(budget);
+  while (!clock.is_out()) {
+  }
+  const auto endless = [&] {
+    for (;;) {
+      signal = clock.seconds() > 0.1;
+      poll();
+    }
+  };
+  EXPECT_FALSE(clock.conclude(endless, 1'000'000));
+  EXPECT_TRUE(clock.was_interrupted());
+  EXPECT_GE(clock.seconds(), 0.1);
+}
+
+TEST(Budget, MemoryEndsWhatConcludes) {
+  Budget budget;
+  budget.seconds = 0.01;
+  Clock clock(budget, 1e6);
+  while (!clock.is_out()) {
+  }
+  EXPECT_FALSE(clock.conclude([] { announce_memory(1e9); }, 1'000'000));
+  EXPECT_TRUE(clock.is_out_of_memory());
+}
+
 TEST(Budget, LetsWorkEndInOrderFirst) {
   Budget budget;
   budget.seconds = 0.01;

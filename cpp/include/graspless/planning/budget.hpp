@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -71,21 +72,25 @@ class GRASPLESS_API Clock {
     return false;
   }
 
-  /// Same for work that writes up what was found, which may take some more milliseconds.
+  /// Same for work that writes up what was found. After the time is over, it may take 40 ms more,
+  /// and 10 ms more for each of its `rows`. Signals and memory end it as they end a search.
   template <class Work>
-  bool conclude(const Work& work) {
-    concludes_ = true;
+  bool conclude(const Work& work, std::size_t rows = 0) {
+    concluding_ = rows;
     const struct Guard {
-      bool& concludes;
-      ~Guard() { concludes = false; }
-    } guard{concludes_};
-    return run(work);
+      std::optional<std::size_t>& concluding;
+      ~Guard() { concluding.reset(); }
+    } guard{concluding_};
+    const bool has_ended = run(work);
+    if (out_since_) out_since_ = Steady::now();  // time for the rest, too
+    return has_ended;
   }
 
  private:
   using Steady = std::chrono::steady_clock;
-  void require();  // throws Stop
-  void look();     // at signals and memory, every 4 ms
+  void require();      // throws Stop
+  void look_if_due();  // at signals and memory, every 4 ms
+  void look();
 
   Budget budget_;
   double max_memory_;
@@ -96,7 +101,7 @@ class GRASPLESS_API Clock {
   bool refused_ = false;  // an iteration
   bool interrupted_ = false;
   bool out_of_memory_ = false;
-  bool concludes_ = false;
+  std::optional<std::size_t> concluding_;  // number of rows
 };
 
 }  // namespace graspless::planning
