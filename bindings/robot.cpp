@@ -103,7 +103,7 @@ void bind_tables(py::class_<Robot>& cls) {
       .def_property_readonly(
           "warnings", &Robot::warnings,
           "Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance\n"
-          "an entry of the SRDF that names an unknown link.")
+          "links without a collision shape, or an entry of the SRDF that names an unknown link.")
       .def_property_readonly(
           "step_weights", [](const Robot& self) -> Eigen::VectorXd { return self.step_weights(); },
           "(dof,) factors of the joints in the length of a step: 1 for a revolute joint, 10 rad/m "

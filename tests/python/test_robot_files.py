@@ -212,6 +212,18 @@ def test_faults_of_an_srdf_name_its_file(folder):
         home(made, build_robot(made, source, warn=False), source)
 
 
+def test_links_without_collision_shapes_are_told_first(folder):
+    file = folder / "my_arm/urdf/arm.urdf"
+    seen = '<link name="tool"><visual><geometry><sphere radius="1"/></geometry></visual></link>'
+    text = ARM.replace('<link name="tool"/>', seen).replace('velocity="1"', 'velocity="0"')
+    file.write_text(text)
+    what = "links with a <visual> but no <collision>, .*: 'tool'; .*. Robot.warnings has 2 more$"
+    with pytest.warns(UserWarning, match=what):
+        arm = built(folder, {"urdf": str(file)})
+    assert "treated as fixed" in arm.warnings[1]
+    assert arm.warnings[2].endswith("in rad/s or m/s: joints 'turn'")
+
+
 def with_limits(folder, limits, kind="revolute"):
     file = folder / "my_arm/urdf/arm.urdf"
     text = ARM.replace("floating", "fixed").replace("revolute", kind)

@@ -178,7 +178,7 @@ class Robot:
     def warnings(self) -> list[str]:
         """
         Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance
-        an entry of the SRDF that names an unknown link.
+        links without a collision shape, or an entry of the SRDF that names an unknown link.
         """
 class Description:
     """

@@ -72,8 +72,8 @@ class GRASPLESS_API Robot {
   int parent(int frame) const;  ///< frame index of the parent link; -1 for the root
   /// Index of an independent joint. Throws std::invalid_argument that lists the joints.
   int joint(const std::string& name) const;
-  /// Parts of the URDF and SRDF that were ignored or changed, one sentence each: for instance an
-  /// entry of the SRDF that names an unknown link.
+  /// Parts of the URDF and SRDF that were ignored or changed, one sentence each: for instance
+  /// links without a collision shape, or an entry of the SRDF that names an unknown link.
   const std::vector<std::string>& warnings() const;
   /// Joint indices of a group of the SRDF. Throws std::invalid_argument that lists the groups, or
   /// says what is wrong with this one.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "robot/urdf/tree.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
 
 #include <tinyxml.h>
+#include <urdf_model/utils.h>
 
 #include "robot/urdf/capsules.hpp"
 #include "robot/xml.hpp"
@@ -17,6 +19,7 @@ namespace {
 // Tables of a robot grow with the product of both. urdfdom recurses once a link of a chain.
 constexpr std::size_t kMaxLinks = 10000;
 constexpr int kMaxChain = 1000;
+constexpr std::size_t kMostNamed = 5;  // links or joints in one warning
 
 struct Edge {
   std::string joint, parent, child;
@@ -95,6 +98,53 @@ std::string complete_limits(TiXmlElement& robot, const char* quantity) {
   if (joints.empty()) return "";
   return std::string("URDF: <limit> without ") + quantity + ", which is taken as unknown: joints " +
          joints;
+}
+
+/// "'a', 'b' and 3 more" for a, b and so on.
+std::string few_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i)
+    text += (i > 0 ? ", '" : "'") + names[i] + "'";
+  if (names.size() > kMostNamed)
+    text += " and " + std::to_string(names.size() - kMostNamed) + " more";
+  return text;
+}
+
+/// Returns a warning that names the links that are seen in pictures, but that planning does not
+/// know; empty if there are none.
+std::string invisible_links(const TiXmlElement& robot) {
+  std::vector<std::string> links;
+  for (auto* e = robot.FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
+    if (e->FirstChildElement("visual") && !e->FirstChildElement("collision"))
+      links.push_back(attribute(*e, "name"));
+  }
+  if (links.empty()) return "";
+  return "URDF: links with a <visual> but no <collision>, which planning lets pass through "
+         "everything: " +
+         few_of(links) + "; give each a <collision>, or leave out its <visual>";
+}
+
+bool is_zero(const char* text) {
+  try {
+    return text && urdf::strToDouble(text) == 0;  // the same under any locale
+  } catch (const std::runtime_error&) {
+    return false;  // urdfdom refuses it
+  }
+}
+
+/// Returns a warning that names the joints with a velocity limit of 0, which many files write for
+/// "unknown"; empty if there are none. Limits of fixed and mimic joints are not used.
+std::string zero_velocities(const TiXmlElement& robot) {
+  std::vector<std::string> joints;
+  for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+    const TiXmlElement* limit = e->FirstChildElement("limit");
+    if (!limit || e->FirstChildElement("mimic") || attribute(*e, "type") == "fixed") continue;
+    if (is_zero(limit->Attribute("velocity"))) joints.push_back(attribute(*e, "name"));
+  }
+  if (joints.empty()) return "";
+  return "URDF: <limit> with velocity 0, which is taken as unknown; give the largest speed in "
+         "rad/s or m/s: joints " +
+         few_of(joints);
 }
 
 /// Removes each <inertial> that lacks the mass or the inertia, so that its link has neither.
@@ -209,6 +259,10 @@ UrdfTree read_urdf_tree(const std::string& xml) {
   if (tree.joints.size() < edges.size()) fail(*robot, "some of the joints form a cycle");
   check_chains(*robot, edges, tree.joints);
   tree.warnings = check_types(*robot, tree.root);
+  if (const std::string warning = invisible_links(*robot); !warning.empty())
+    tree.warnings.insert(tree.warnings.begin(), warning);  // the gravest; tasks print the first
+  if (const std::string warning = zero_velocities(*robot); !warning.empty())
+    tree.warnings.push_back(warning);
   bool is_changed = replace_capsules(*robot);
   for (const std::string& warning :
        {complete_limits(*robot, "effort"), complete_limits(*robot, "velocity"),

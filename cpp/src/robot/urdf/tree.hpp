@@ -11,7 +11,7 @@ namespace graspless::robot {
 struct UrdfTree {
   std::string root;
   std::vector<std::string> joints;    ///< depth first; those of one link in the order of the file
-  std::vector<std::string> warnings;  ///< about joints treated as fixed, and missing limits
+  std::vector<std::string> warnings;  ///< about links without collision shapes, and odd joints
   std::string xml;                    ///< the URDF with an effort and a velocity in each <limit>
 };
 
