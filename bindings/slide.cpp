@@ -98,7 +98,7 @@ void bind_object(py::module_& m) {
           },
           py::arg("com_O"),
           "Returns a copy with another centre of mass, (3,) in O [m].\n\nRaises ValueError outside "
-          "the object's bounding box.")
+          "the object: beside the convex hull of its outline, below 0 or above the thickness.")
       .def("with_mass", &Object::with_mass, py::arg("mass"),
            "Returns a copy with another mass [kg].")
       .def_property_readonly(

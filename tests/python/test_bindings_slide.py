@@ -48,6 +48,15 @@ def test_structs_take_their_fields_as_keywords():
             struct(1)
 
 
+def test_a_center_of_mass_lies_in_the_hull_of_the_outline():
+    wedge = Object.prism("wedge", [[-0.06, -0.04], [0.06, -0.04], [-0.06, 0.04]], 0.003)
+    for com in ([0, 0, 0.001], [-0.06, 0.04, 0.003], [0.02 + 1e-17, -0.04 / 3 + 1e-15, 0]):
+        np.testing.assert_array_equal(wedge.with_com(com).com, com)
+    for com in ([0.05, 0.035, 0.001], [-0.061, 0, 0.001], [0, 0, -0.001], [0, 0, 0.004]):
+        with pytest.raises(ValueError, match="convex hull of the outline of object 'wedge', at a"):
+            wedge.with_com(com)
+
+
 def test_objects_from_outline_and_cloud():
     card = Object.from_polygon("card", 0.05 * SQUARE, 0.002)
     assert card.points.shape[1] == 2

@@ -52,7 +52,7 @@ class Object:
         """
         Returns a copy with another centre of mass, (3,) in O [m].
         
-        Raises ValueError outside the object's bounding box.
+        Raises ValueError outside the object: beside the convex hull of its outline, below 0 or above the thickness.
         """
     def with_heights(self, heights_O: graspless._core.geometry.HeightMap) -> Object:
         """

@@ -79,7 +79,7 @@ class GRASPLESS_API Object {
   const collision::Solid& solid() const { return solid_; }
 
   /// Returns a copy with another centre of mass, in O [m]. Throws std::invalid_argument unless it
-  /// is finite and within the object's bounding box.
+  /// is finite, within the convex hull of the outline, and at a height from 0 to the thickness.
   Object with_com(const Eigen::Vector3d& com_O) const;
   /// Returns a copy with another mass [kg]. Throws std::invalid_argument unless it is positive.
   Object with_mass(double mass) const;

@@ -10,6 +10,7 @@
 #include "graspless/mechanics/contact.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/convex_hull.hpp"
 #include "geometry/quantile.hpp"
 #include "slide/task/prisms.hpp"
 #include "slide/task/ranges.hpp"
@@ -25,6 +26,7 @@ constexpr double kLevel = 0.0025;           // of heights from that of the face 
 constexpr double kLevelRadius = 0.006;      // of discs that are level or not [m]
 constexpr double kNearCom = 0.02;           // from where on points of a face count less [m]
 constexpr double kMaxSlenderness = 0.75;    // thickness of a thin object, in its least widths
+constexpr double kComSlack = 1e-6;          // of a centre of mass on the hull, for rounding [m]
 constexpr double kMaxHeightSpread = 0.010;  // of a flat top, 5th to 95th percentile [m]
 
 std::vector<double> heights_of(const std::string& what, const Eigen::Matrix3Xd& p_OP) {
@@ -123,6 +125,17 @@ std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::M
   return height;
 }
 
+/// True if a point is in the convex hull of others, or beside it by kComSlack.
+bool is_in_hull(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& p) {
+  const Eigen::Matrix2Xd hull = geometry::convex_outline(points);
+  for (Eigen::Index i = 0; i < hull.cols(); ++i) {
+    const Eigen::Vector2d a = hull.col(i), along = hull.col((i + 1) % hull.cols()) - a;
+    const Eigen::Vector2d inward(-along.y(), along.x());
+    if (inward.dot(p - a) < -kComSlack * along.norm()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline,
@@ -177,15 +190,14 @@ bool Object::is_thin() const { return thickness_ <= kMaxSlenderness * least_widt
 double Object::least_width() const { return width_across_edges(outline_); }
 
 Object Object::with_com(const Eigen::Vector3d& com_O) const {
-  const Eigen::Vector2d lower = outline_.vertices().rowwise().minCoeff();
-  const Eigen::Vector2d upper = outline_.vertices().rowwise().maxCoeff();
-  const bool within = com_O.allFinite() && (com_O.head<2>().array() >= lower.array()).all() &&
-                      (com_O.head<2>().array() <= upper.array()).all() && com_O.z() >= 0 &&
-                      com_O.z() <= thickness_;
+  const bool within = com_O.allFinite() && com_O.z() >= -kComSlack &&
+                      com_O.z() <= thickness_ + kComSlack &&
+                      is_in_hull(outline_.vertices(), com_O.head<2>());
   if (!within) {
     throw std::invalid_argument("com (" + figure(com_O.x()) + ", " + figure(com_O.y()) + ", " +
                                 figure(com_O.z()) +
-                                ") must lie within the bounding box of object '" + name_ + "'");
+                                ") must lie within the convex hull of the outline of object '" +
+                                name_ + "', at a height from 0 to " + figure(thickness_) + " m");
   }
   Object other = *this;
   other.com_ = com_O;
