@@ -31,9 +31,10 @@ void check_rest(const Problem& problem, const Rest& rest, const std::string& fie
   const auto is_it = [&](const Obstacle& obstacle) { return obstacle.name == rest.obstacle; };
   if (std::none_of(problem.obstacles.begin(), problem.obstacles.end(), is_it)) {
     std::string names;
-    for (const Obstacle& obstacle : problem.obstacles) names += " " + obstacle.name;
+    for (const Obstacle& obstacle : problem.obstacles)
+      names += (names.empty() ? "" : ", ") + obstacle.name;
     throw std::invalid_argument(field + ": there is no obstacle '" + rest.obstacle +
-                                "' (one of:" + names + ")");
+                                "' (one of: " + names + ")");
   }
   const double length = rest.normal_W.norm();
   if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)

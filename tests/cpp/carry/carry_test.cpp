@@ -242,7 +242,15 @@ TEST(CarryValidate, NamesTheField) {
   refused([](Problem& p) { p.X_WO_goal = p.object.X_WB; }, "X_WO_goal");
   refused([](Problem& p) { p.object.shapes.clear(); }, "object.shapes");
   refused([](Problem& p) { p.object.name = "left_finger"; }, "object.name");
-  refused([](Problem& p) { p.rests_on = {{"table"}}; }, "rests_on[0]");
+  const auto sphere = [](const std::string& name) {
+    return Obstacle{name, {{geometry::Sphere{0.1}}}, Isometry3d(Eigen::Translation3d(0, 0, -9))};
+  };
+  refused(
+      [&](Problem& p) {
+        p.obstacles = {sphere("block"), sphere("post")};
+        p.rests_on = {{"table"}};
+      },
+      "rests_on[0]: there is no obstacle 'table' (one of: block, post)");
   refused([](Problem& p) { p.obstacles = {p.object}; }, "obstacles[0].name");
   Options options;
   options.step = 0;
