@@ -151,7 +151,8 @@ MOVING = """\
     <collision><geometry><mesh filename="a.dae" scale="2 2 2"/></geometry></collision>
     <visual><geometry><mesh filename="a.dae" scale="2 2 2"/></geometry></visual>
   </link>
-  <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/></joint>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="arm"/>
+    <limit velocity="1" effort="1"/></joint>
 </robot>"""
 
 

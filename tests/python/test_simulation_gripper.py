@@ -55,6 +55,17 @@ def test_a_jaw_that_is_pushed_with_half_its_effort_gives_way_by_half_a_millimetr
     assert data.qpos[joint.qposadr[0]] == pytest.approx(0.0105, abs=5e-5)
 
 
+def test_an_effort_limit_of_zero_is_told():
+    urdf = small.gripper().replace("</link>", f"{INERTIAL}</link>")
+    urdf = urdf.replace('effort="50"', 'effort="0"')
+    robot = Robot.from_urdf(urdf)
+    assert not np.isfinite(robot.max_effort[list(robot.joint_names).index("slide_left")])
+    with pytest.warns(UserWarning, match="'joint_0'.* and 2 more: the URDF has no effort"):
+        spec = robot_spec(robot, Fields(urdf_text=urdf))
+    model = spec.compile()
+    assert model.actuator("slide_left").forcerange.tolist() == [-50, 50]
+
+
 @pytest.mark.parametrize(
     ("fingers", "load", "force"), [(1, 3.0, 3.0), (1, 0.0, 15.0), (2, 3.0, 15.0)]
 )

@@ -13,7 +13,7 @@ import numpy as np
 
 from .. import frames, geometry
 from .._xml import parse
-from ..errors import TaskError
+from ..errors import TaskError, warn
 from ..tasks.meshes import mesh_path
 from .settings import Servo, Solver
 
@@ -71,6 +71,7 @@ def robot_spec(
         Links that do not collide with each other; `untested_pairs` by default.
     """
     servo = Servo()
+    _warn_of_efforts(robot, servo)
     excluded = untested_pairs(robot) if excluded is None else excluded
     xml, assets = _model(fields)
     spec = mujoco.MjSpec.from_string(xml, assets=assets)
@@ -92,6 +93,18 @@ def robot_spec(
         follower.limited = mujoco.mjtLimited.mjLIMITED_FALSE  # as in the plan: its driver's hold
         equality.solimp[:2] = servo.mimic_solimp
     return spec
+
+
+def _warn_of_efforts(robot: Robot, servo: Servo) -> None:
+    """Warns of joints whose effort limit is unknown: not in the URDF, or 0."""
+    limits = zip(robot.joint_names, robot.max_effort, strict=True)
+    unknown = [f"'{name}'" for name, effort in limits if not np.isfinite(effort)]
+    if unknown:
+        more = f" and {len(unknown) - 5} more" if len(unknown) > 5 else ""
+        warn(
+            f"joint {', '.join(unknown[:5])}{more}: the URDF has no effort limit above 0, so the "
+            f"simulation takes {servo.effort:g} Nm (of sliding joints: N); give <limit effort=...>"
+        )
 
 
 def _place(spec: Any, root: str, X_WB: Matrix) -> None:
