@@ -11,6 +11,7 @@
 #include "pinch/faces.hpp"
 #include "pinch/jaw.hpp"
 #include "pinch/things.hpp"
+#include "slide/contact_space.hpp"
 
 namespace graspless::pinch {
 namespace {
@@ -127,6 +128,57 @@ TEST(Pinch, TakesLowObjectsWithTheEndsOfItsPads) {
   ASSERT_TRUE(found) << found.reason;
   EXPECT_EQ(joined(check(problem, found, options)), "");
   EXPECT_NEAR(found.contacts_O(2, 0), options.clearance + options.depth, 1e-3);
+}
+
+/// A box before the same hand, whose right jaw does not move: the gap is 36 to 70 mm.
+Problem before_fixed_jaw(double yaw) {
+  Problem problem = standing(rectangle(0.09, 0.045), 0.05, 0.6, 0.1, yaw);
+  const robot::Robot plates = with_plates();
+  std::string urdf = replaced(plates.urdf(), "right_finger_joint\" type=\"prismatic",
+                              "right_finger_joint\" type=\"fixed");
+  urdf = replaced(urdf, "<mimic joint=\"left_finger_joint\"/>", "");
+  problem.robot = robot::Robot::from_urdf(urdf, plates.options());
+  problem.hand.finger_model = slide::FingerModel::none;
+  return problem;
+}
+
+/// True if the hand comes down without touching the object if that stands `off` across the faces.
+bool comes_beside(const Problem& problem, const Plan& found, double off) {
+  scene::Scene scene = slide::make_scene(problem);
+  const Vector3d across = (found.contacts_O.col(1) - found.contacts_O.col(0)).normalized();
+  scene.move_object(scene.world().body(slide::kObjectBody),
+                    problem.X_WO_start * Eigen::Translation3d(off * across));
+  const int frame = problem.robot.frame(problem.hand.grasp_frame);
+  const auto& rows = found.segments[1].positions;
+  return std::all_of(rows.begin(), rows.end(), [&](const Eigen::VectorXd& q) {
+    const double above =
+        -(found.X_WH_grasp.inverse() * problem.robot.pose(frame, q)).translation().z();
+    return above < 1e-3 || scene.is_free(q);
+  });
+}
+
+TEST(Pinch, AFixedJawComesAsideOfTheObject) {
+  const Options narrow = [] {
+    Options options;
+    options.margin = 0;
+    return options;
+  }();
+  for (const double yaw : {0.0, 0.4, 1.4, 1.55, 2.5}) {
+    const Problem problem = before_fixed_jaw(yaw);
+    for (const double margin : {0.002, 0.008}) {
+      Options options;
+      options.margin = margin;
+      const Plan found = pinch::plan(problem, options);
+      ASSERT_TRUE(found) << yaw << ": " << found.reason;
+      EXPECT_EQ(joined(check(problem, found, options)), "");
+      for (const double side : {-1, 1})
+        EXPECT_TRUE(comes_beside(problem, found, side * (margin - 3e-4))) << yaw;
+    }
+    const Plan touching = pinch::plan(problem, narrow);
+    if (!touching) continue;  // rounding decides
+    EXPECT_EQ(joined(check(problem, touching, narrow)), "");
+    EXPECT_CONTAINS(joined(check(problem, touching)), "a finger passes at");
+  }
 }
 
 /// The contacts are as near to the asked height as the fingers and the top allow.
