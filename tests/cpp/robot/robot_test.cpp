@@ -166,7 +166,7 @@ TEST(Robot, JointsComeDepthFirstInTheOrderOfTheFile) {
   EXPECT_EQ(robot.parent(0), -1);
   EXPECT_EQ(robot.lower()[2], -M_PI);
   EXPECT_EQ(robot.upper()[2], M_PI);
-  EXPECT_EQ(robot.max_velocity()[0], std::numeric_limits<double>::infinity());  // the file says 0
+  EXPECT_EQ(robot.max_velocity()[0], 3);
   EXPECT_EQ(robot.max_velocity()[1], 2);
   EXPECT_EQ(robot.max_effort()[1], 4);
 }

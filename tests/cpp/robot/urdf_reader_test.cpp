@@ -163,6 +163,45 @@ TEST(UrdfReader, WarnsOfLimitsBelowZero) {
   EXPECT_EQ(robot.max_velocity()[0], std::numeric_limits<double>::infinity());
 }
 
+TEST(UrdfReader, WarnsOfVelocityLimitsOfZero) {
+  const std::string limit = "<limit lower='0' upper='1' effort='1' velocity='", kZero = "0.0'/>";
+  const Robot robot =
+      read(links({"a", "b", "c", "d", "e"}) + joint("elbow", "a", "b", limit + kZero) +
+           joint("wrist", "b", "c", limit + "0.5'/>") +
+           joint("echo", "c", "d", limit + kZero + "<mimic joint='wrist'/>") +
+           joint("weld", "d", "e", limit + kZero, "fixed"));
+  EXPECT_EQ(robot.warnings(),
+            std::vector<std::string>{"URDF: <limit> with velocity 0, which is taken as unknown; "
+                                     "give the largest speed in rad/s or m/s: joints 'elbow'"});
+  EXPECT_TRUE(std::isinf(robot.max_velocity()[0]));
+  EXPECT_EQ(robot.max_velocity()[1], 0.5);
+}
+
+// Such links are in pictures, but planning passes through them. Frames have neither shape.
+TEST(UrdfReader, WarnsOfLinksThatAreOnlyVisual) {
+  const std::string sphere = "<geometry><sphere radius='1'/></geometry>";
+  const std::string seen = "<visual>" + sphere + "</visual>";
+  const std::string solid = "<collision>" + sphere + "</collision>";
+  const auto link = [](const std::string& name, const std::string& shapes) {
+    return "<link name='" + name + "'>" + shapes + "</link>";
+  };
+  const std::string begin =
+      "URDF: links with a <visual> but no <collision>, which planning lets pass through "
+      "everything: ";
+  const std::string end = "; give each a <collision>, or leave out its <visual>";
+  const std::string base = link("a", seen + solid) + link("frame", "") + joint("one", "a", "frame");
+  EXPECT_TRUE(read(base).warnings().empty());
+  EXPECT_EQ(read(base + link("b", seen + seen) + joint("two", "a", "b", "", "floating")).warnings(),
+            (std::vector<std::string>{
+                begin + "'b'" + end,
+                "URDF line 1: joint 'two' is of type 'floating'; treated as fixed"}));
+  std::string many = base;
+  for (const char* name : {"b", "c", "d", "e", "f", "g", "h"})
+    many += link(name, seen) + joint(std::string("to_") + name, "a", name);
+  EXPECT_EQ(read(many).warnings(),
+            std::vector<std::string>{begin + "'b', 'c', 'd', 'e', 'f' and 2 more" + end});
+}
+
 TEST(UrdfReader, WarnsOfInertialsWithoutMassOrInertia) {
   const std::string inertia = "<inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/>";
   const Robot robot =
