@@ -21,6 +21,13 @@ void require_length(double length, const char* what) {
   throw std::invalid_argument(fault.str());
 }
 
+const Pair& pair_at(const std::vector<Pair>& pairs, int index, const char* what = "pair") {
+  const auto at = static_cast<std::size_t>(index);
+  if (at < pairs.size()) return pairs[at];  // false of a negative index
+  throw std::invalid_argument(what + (" must be in [0, " + std::to_string(pairs.size())) +
+                              "), not " + std::to_string(index));
+}
+
 }  // namespace
 
 World::World() : impl_(std::make_unique<Impl>()) {}
@@ -125,14 +132,11 @@ void World::keep_apart(int a, int b, double clearance) {
 int World::num_pairs() const { return static_cast<int>(impl_->pairs.size()); }
 
 std::pair<int, int> World::pair(int index) const {
-  if (index < 0 || index >= num_pairs())
-    throw std::invalid_argument("index must be in [0, " + std::to_string(num_pairs()) + "), not " +
-                                std::to_string(index));
-  const Pair& pair = impl_->pairs[index];
+  const Pair& pair = pair_at(impl_->pairs, index, "index");
   return {pair.a, pair.b};
 }
 
-const Eigen::Vector3d& World::shift(int pair) const { return impl_->pairs[pair].shift_W; }
+const Eigen::Vector3d& World::shift(int pair) const { return pair_at(impl_->pairs, pair).shift_W; }
 
 int World::revision() const { return impl_->revision; }
 
@@ -163,17 +167,17 @@ std::vector<std::pair<int, int>> World::all_collisions() {
   return touching;
 }
 
-bool World::touches(int pair) { return impl_->touch(impl_->pairs[pair]); }
+bool World::touches(int pair) { return impl_->touch(pair_at(impl_->pairs, pair)); }
 
-bool World::swallows(int pair) const { return impl_->swallows(impl_->pairs[pair]); }
+bool World::swallows(int pair) const { return impl_->swallows(pair_at(impl_->pairs, pair)); }
 
 double World::distance_bound(int pair, double enough) const {
-  const Pair& tested = impl_->pairs[pair];
+  const Pair& tested = pair_at(impl_->pairs, pair);
   return std::max(0.0, impl_->bound(tested, enough + tested.clearance, false) - tested.clearance);
 }
 
 double World::proven_distance(int pair, double enough) const {
-  return impl_->bound(impl_->pairs[pair], enough, true);
+  return impl_->bound(pair_at(impl_->pairs, pair), enough, true);
 }
 
 const std::vector<double>& World::distance_bounds() {

@@ -112,6 +112,21 @@ TEST(World, KeepsEachPairOnce) {
   EXPECT_THROW(world.pair(2), std::invalid_argument);
 }
 
+TEST(World, RefusesPairsThatAreNotTested) {
+  World world;
+  for (const char* name : {"a", "b"}) world.add_body(name, {{geometry::Sphere{0.1}}});
+  world.add_pair(0, 1);
+  for (const int pair : {-1, 1, 99}) {
+    const std::string text = "must be in [0, 1), not " + std::to_string(pair);
+    EXPECT_EQ(complaint([&] { world.pair(pair); }), "index " + text);
+    EXPECT_EQ(complaint([&] { world.shift(pair); }), "pair " + text);
+    EXPECT_EQ(complaint([&] { world.touches(pair); }), "pair " + text);
+    EXPECT_EQ(complaint([&] { world.swallows(pair); }), "pair " + text);
+    EXPECT_EQ(complaint([&] { world.distance_bound(pair); }), "pair " + text);
+    EXPECT_EQ(complaint([&] { world.proven_distance(pair, 1); }), "pair " + text);
+  }
+}
+
 TEST(World, TestsEveryShapeOfABody) {
   World world;
   const int a = world.add_body("comb", {{geometry::Sphere{0.1}, translation(0, 0, 0)},

@@ -625,6 +625,8 @@ TEST(Object, RefusesWhatIsNotThinOrNotThere) {
   expect_refused([&] { Object::from_polygon("hall", geometry::square(100), .001); },
                  "spacing 0.006 m gives 2.77778e+08 points on 100 x 100 m");
   expect_refused([&] { objects()[0].with_com({1, 0, 0}); }, "com");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused([&] { objects()[0].with_com({0, 0, nan}); }, "com");
   expect_refused([&] { objects()[0].with_mass(-1); }, "mass");
   expect_refused([&] { objects()[0].with_mass(1e6); }, "mass must lie in [1e-09, 100000] kg");
   expect_refused([&] { objects()[0].scaled(0); }, "scale must lie in [1e-06, 1e+06], not 0");
@@ -691,6 +693,25 @@ TEST(Object, CenterOfMassOfADistribution) {
   expect_refused([&] { center_of_mass(points, Eigen::Vector2d(0, 0)); }, "masses");
 }
 
+// Only there can it be, even of an object of uneven density that is not convex.
+TEST(Object, HasItsCenterOfMassInTheHullOfItsOutline) {
+  Eigen::Matrix2Xd corners(2, 4);  // an arrow head, hollow on the left
+  corners << -.06, .06, -.06, -.02, -.04, 0, .04, 0;
+  const Object object = Object::prism("arrow", geometry::Polygon(corners), .003, .006);
+  const std::vector<Eigen::Vector3d> within{{-.05, 0, .001}, {-.06, .04, .003}, {0, .02, 0}};
+  for (const Eigen::Vector3d& com : within) EXPECT_EQ(object.with_com(com).com(), com);
+  // The mean of points on an edge may be off it by rounding.
+  const Eigen::Vector3d on_edge(.02 + 1e-17, .04 / 3 + 1e-15, .003 + 1e-18);
+  EXPECT_EQ(object.with_com(on_edge).com(), on_edge);
+  const std::vector<Eigen::Vector3d> outside{
+      {.05, .035, .001}, {-.061, 0, .001}, {0, 0, -.001}, {0, 0, .004}};
+  for (const Eigen::Vector3d& com : outside) {
+    expect_refused([&] { object.with_com(com); },
+                   "must lie within the convex hull of the outline of object 'arrow', at a height "
+                   "from 0 to 0.003 m");
+  }
+}
+
 TEST(Support, RefusesNonsense) {
   const Eigen::Isometry3d steep(Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitX()));
   expect_refused([&] { Support(geometry::square(1), steep); }, "tilted");
@@ -703,6 +724,10 @@ TEST(Support, RefusesNonsense) {
                  "friction must lie in [1e-06, 10000], not 1e+300");
   expect_refused([&] { Support(geometry::square(1), Eigen::Isometry3d::Identity(), .04, 0); },
                  "band");
+  const Support support(geometry::square(1), Eigen::Isometry3d::Identity());
+  EXPECT_TRUE(support.is_usable(3));
+  expect_refused([&] { support.is_usable(4); }, "edge must be in [0, 4), not 4");
+  expect_refused([&] { support.is_usable(-1); }, "edge must be in [0, 4), not -1");
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ class GRASPLESS_API World {
   /// std::invalid_argument on a negative clearance or a pair that is not tested.
   void keep_apart(int a, int b, double clearance);
   int num_pairs() const;
+  // Queries of one pair throw std::invalid_argument unless its index is in [0, num_pairs()).
   std::pair<int, int> pair(int index) const;  ///< the smaller body index first
   std::vector<std::pair<int, int>> pairs() const;
   /// Displacement of the second body of a pair in its tests, in W [m]: the allowance.

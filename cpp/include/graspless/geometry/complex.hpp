@@ -89,6 +89,7 @@ class GRASPLESS_API Filtration {
   ClassLabels labels(double max_edge_length, const std::vector<int>& classes) const;
   /// Ratio of the edge that closes the loop of a pair to the longest other step on the way round,
   /// in the tree of shortest edges. About 1 where points are spread evenly; larger across a gap.
+  /// Throws std::invalid_argument if pair.closing is no edge between two points.
   double jump(const PersistencePair& pair) const;
   /// Birth and death of the homology class of a closed walk in K_d. The class is born when the
   /// first walk in it appears, and dies when it is filled. The two are equal if the walk is filled

@@ -25,7 +25,7 @@ struct Problem {
   Hand hand;
   Object object;
   Support support;
-  Eigen::Isometry3d X_WO_start;  ///< flat on the support
+  Eigen::Isometry3d X_WO_start = Eigen::Isometry3d::Identity();  ///< flat on the support
   std::vector<Obstacle> obstacles;
   Eigen::VectorXd q_home;  ///< configuration at the start, all joints [rad or m]
   std::optional<Eigen::Isometry3d> X_WO_end =

@@ -35,8 +35,9 @@ class GRASPLESS_API Support {
   const Eigen::Isometry3d& X_WS() const { return X_WS_; }
   double slab() const { return slab_; }
   double friction() const { return friction_; }
-  /// True if objects may stick out over an edge of the polygon.
-  bool is_usable(int edge) const { return is_usable_.at(static_cast<std::size_t>(edge)); }
+  /// True if objects may stick out over an edge of the polygon. Throws std::invalid_argument if
+  /// there is no such edge.
+  bool is_usable(int edge) const;
   bool has_unusable_edges() const;
   Eigen::Vector3d normal_W() const { return X_WS_.linear().col(2); }
   /// Prisms over the convex parts of the polygon, below z = 0, in S.

@@ -93,6 +93,11 @@ struct Filtration::Data {
     });
     return pairs;
   }
+  /// Index of the edge between two points; -1 if there is none, or no such point.
+  int edge(int a, int b) const {
+    const auto n = static_cast<int>(points.cols());
+    return a >= 0 && b >= 0 && a < n && b < n ? simplices.edge(a, b) : -1;
+  }
   /// Longest edge on the way between two vertices in the tree of shortest edges [m].
   double longest_step(int a, int b) const {
     curve();
@@ -206,7 +211,12 @@ ClassLabels Filtration::labels(double max_edge_length, const std::vector<int>& c
 }
 
 double Filtration::jump(const PersistencePair& pair) const {
-  const double longest = data_->longest_step(pair.closing[0], pair.closing[1]);
+  const auto [a, b] = pair.closing;
+  if (data_->edge(a, b) < 0) {
+    throw std::invalid_argument("pair.closing must be an edge, not points " + std::to_string(a) +
+                                " and " + std::to_string(b));
+  }
+  const double longest = data_->longest_step(a, b);
   return longest > 0 ? pair.birth / longest : 1;
 }
 
@@ -226,8 +236,7 @@ PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_
   std::vector<int> edges;
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     const int a = cycle[i], b = cycle[(i + 1) % cycle.size()];
-    const auto n = static_cast<int>(data_->points.cols());
-    const int edge = a >= 0 && b >= 0 && a < n && b < n ? data_->simplices.edge(a, b) : -1;
+    const int edge = data_->edge(a, b);
     if (edge < 0 || !(data_->simplices.lengths[static_cast<std::size_t>(edge)] < max_edge_length)) {
       throw std::invalid_argument("cycle goes from point " + std::to_string(a) + " to " +
                                   std::to_string(b) + ", which is no edge shorter than " +

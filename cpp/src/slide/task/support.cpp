@@ -65,6 +65,13 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
   }
 }
 
+bool Support::is_usable(int edge) const {
+  const auto at = static_cast<std::size_t>(edge);
+  if (at < is_usable_.size()) return is_usable_[at];  // false of a negative one
+  throw std::invalid_argument("edge must be in [0, " + std::to_string(is_usable_.size()) +
+                              "), not " + std::to_string(edge));
+}
+
 bool Support::has_unusable_edges() const {
   return std::find(is_usable_.begin(), is_usable_.end(), false) != is_usable_.end();
 }

@@ -236,6 +236,20 @@ TEST(Filtration, RefusesThresholdsWithoutMeaning) {
   expect_refused([&] { filtration.plateaus(0.9); }, "lasting_ratio must be at least 1, not 0.9");
 }
 
+TEST(Filtration, RefusesJumpsOfPairsThatCloseNoLoop) {
+  Eigen::Matrix3Xd cloud = random_cloud(50, 9);
+  cloud.col(49) = cloud.col(48);  // isolated
+  const Filtration filtration(cloud);
+  ASSERT_FALSE(filtration.persistence().empty());
+  EXPECT_GE(filtration.jump(filtration.persistence()[0]), 1);
+  PersistencePair pair;
+  expect_refused([&] { filtration.jump(pair); }, "must be an edge, not points -1 and -1");
+  pair.closing = {0, 50};
+  expect_refused([&] { filtration.jump(pair); }, "must be an edge, not points 0 and 50");
+  pair.closing = {0, 49};
+  expect_refused([&] { filtration.jump(pair); }, "must be an edge, not points 0 and 49");
+}
+
 TEST(Filtration, CountsEqualPointsOnce) {
   const Eigen::Matrix3Xd cloud = random_cloud(50, 9);
   const Filtration once(cloud), twice(side_by_side({cloud, cloud}));
