@@ -16,9 +16,11 @@ constexpr double kSpacing = 2;         // side of a cell, in pixels projected on
 constexpr double kFinestCell = 0.003;  // [m]
 constexpr int kMostAlong = 600;        // cells
 constexpr double kLeastInside = 0.3;   // least share of an object's cells that lie over the region
-constexpr int kFewest = 12;            // pixels of an object
-constexpr int kHalf = 2;               // of the window that smooths heights [pixels]
-constexpr float kLeastSpread = 2;      // of pixels whose slope is known [pixels^2]
+constexpr double kLeastOver = 0.5;  // the same, with those that the image does not show the foot of
+constexpr int kFewest = 12;         // pixels of an object
+constexpr int kFewestHigh = 50;     // pixels of something that is higher than objects
+constexpr int kHalf = 2;            // of the window that smooths heights [pixels]
+constexpr float kLeastSpread = 2;   // of pixels whose slope is known [pixels^2]
 
 /// A plane through the heights around a pixel: its height there, and its slopes along u and v.
 struct Patch {
@@ -96,6 +98,21 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
   }
 }
 
+/// Pixels of a cluster.
+struct Counts {
+  std::size_t all = 0;
+  std::size_t inside = 0;   ///< over the region
+  std::size_t outside = 0;  ///< over places that are not in the images
+};
+
+/// True if something stands on the region, as far as the images show where it stands: of what the
+/// lower border cuts off, they may show the top alone.
+bool stands_there(const Counts& counts) {
+  const auto all = static_cast<double>(counts.all), inside = static_cast<double>(counts.inside);
+  if (inside >= kLeastInside * all) return true;
+  return inside >= kFewest && inside + static_cast<double>(counts.outside) >= kLeastOver * all;
+}
+
 double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>& sightings,
                   const Region& region) {
   const Pixel& pixel = pixels[pixels.size() / 2];
@@ -136,20 +153,22 @@ std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sight
   for (const Pixel& pixel : pixels) occupied.values[index(pixel)] = 1;
   const Pieces pieces = pieces_of(occupied, true);
   std::vector<Cluster> clusters(pieces.size.size());
-  std::vector<std::size_t> over(pieces.size.size(), 0);
+  std::vector<Counts> counts(pieces.size.size());
   for (const Pixel& pixel : pixels) {
     const auto label = static_cast<std::size_t>(pieces.label[index(pixel)]);
     clusters[label].pixels.push_back(pixel);
     const Eigen::Vector2d p = pixel.p.cast<double>();
-    over[label] += region.inside.at(region.inside.column(p.x()), region.inside.row(p.y()));
+    const int column = region.inside.column(p.x()), row = region.inside.row(p.y());
+    ++counts[label].all;
+    counts[label].inside += region.inside.at(column, row);
+    counts[label].outside +=
+        region.ground.at(column, row) == static_cast<std::uint8_t>(Ground::outside);
   }
   std::vector<Cluster> kept;
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     Cluster& cluster = clusters[k];
     if (static_cast<int>(cluster.pixels.size()) < kFewest) continue;
-    if (static_cast<double>(over[k]) < kLeastInside * static_cast<double>(cluster.pixels.size())) {
-      continue;
-    }
+    if (!stands_there(counts[k])) continue;
     for (const Pixel& pixel : cluster.pixels) {
       claims[static_cast<std::size_t>(pixel.view)](pixel.v, pixel.u) = true;
     }
@@ -159,6 +178,29 @@ std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sight
     kept.push_back(std::move(cluster));
   }
   return kept;
+}
+
+double height_left_out(const Region& region, const std::vector<Sighting>& sightings,
+                       const Options& options, const Claims& claims) {
+  const auto highest = static_cast<float>(options.max_height);
+  int count = 0;
+  float height = 0;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    poll();
+    const Sighting& from = sightings[i];
+    const Rays rays(from, region.X_WS);
+    for (int v = 0; v < from.sight->height(); ++v) {
+      for (int u = 0; u < from.sight->width(); ++u) {
+        const float at = from.heights.height(v, u);
+        if (from.heights.level(v, u) != Level::above || at <= highest || claims[i](v, u)) continue;
+        const Eigen::Vector3d p = rays.at_depth(u, v, static_cast<double>(from.sight->depth(v, u)));
+        if (!region.inside.at(region.inside.column(p.x()), region.inside.row(p.y()))) continue;
+        ++count;
+        height = std::max(height, at);
+      }
+    }
+  }
+  return count < kFewestHigh ? 0 : static_cast<double>(height);
 }
 
 }  // namespace graspless::perception

@@ -63,4 +63,9 @@ using Claims = std::vector<Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Ei
 std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sighting>& sightings,
                                    const NoiseModel& noise, const Options& options, Claims& claims);
 
+/// Height of the highest of the free pixels over a region that are higher than `max_height` and so
+/// belong to no cluster [m]; 0 if there are hardly any.
+double height_left_out(const Region& region, const std::vector<Sighting>& sightings,
+                       const Options& options, const Claims& claims);
+
 }  // namespace graspless::perception

@@ -85,6 +85,13 @@ Scene without_support(const std::vector<Cell>& cells, const Options& options) {
                                          "min_support_area or max_tilt"));
 }
 
+/// True if something lies on a support, or there is no other one.
+bool is_used(const Support& support, const Scene& scene) {
+  const auto lies_on = [&](const Object& object) { return object.support == support.name; };
+  return scene.supports.size() == 1 ||
+         std::any_of(scene.objects.begin(), scene.objects.end(), lies_on);
+}
+
 /// Builds the scene, plane by plane.
 class Builder {
  public:
@@ -107,6 +114,7 @@ class Builder {
         scene_.unseen.push_back({"", std::move(shape)});
       }
       areas_.push_back(region.area);
+      left_out_.push_back(height_left_out(region, sightings, options_, claims_));
       scene_.supports.push_back(std::move(support));
       claim_support(region, sightings);
     }
@@ -115,6 +123,7 @@ class Builder {
   Scene finish() {
     name_supports();
     name_objects();
+    warn_of_heights();
     scene_.status = scene_.supports.empty() ? Status::no_support : Status::found;
     scene_.reason =
         say(scene_.supports.size(), scene_.supports.size() == 1 ? " support" : " supports", " and ",
@@ -190,6 +199,7 @@ class Builder {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return areas_[a] > areas_[b]; });
     std::vector<Support> sorted;
+    std::vector<double> left_out;
     for (std::size_t i = 0; i < order.size(); ++i) {
       Support& support = scene_.supports[order[i]];
       const std::string name = say("support_", i);
@@ -198,8 +208,10 @@ class Builder {
       }
       support.name = name;
       sorted.push_back(std::move(support));
+      left_out.push_back(left_out_[order[i]]);
     }
     scene_.supports = std::move(sorted);
+    left_out_ = std::move(left_out);
   }
 
   void name_objects() {
@@ -216,12 +228,23 @@ class Builder {
     }
   }
 
+  void warn_of_heights() {
+    for (std::size_t i = 0; i < scene_.supports.size(); ++i) {
+      const Support& support = scene_.supports[i];
+      if (left_out_[i] == 0 || !is_used(support, scene_)) continue;
+      scene_.warnings.push_back(
+          say("something over ", support.name, " reaches ", left_out_[i],
+              " m above it, but max_height is ", options_.max_height,
+              " m: what is higher is neither object nor obstacle; raise max_height to keep it"));
+    }
+  }
+
   const std::vector<Sight>& sights_;
   const NoiseModel& noise_;
   const Options& options_;
   Claims claims_;
   Scene scene_;
-  std::vector<double> areas_;
+  std::vector<double> areas_, left_out_;  // of the supports
   int number_ = 0;
 };
 
@@ -245,10 +268,8 @@ void warn_of(Scene& scene, const std::vector<Sight>& sights, const NoiseModel& n
         say("the largest support tilts by ", tilt, " rad; if it is level, X_WC or K is wrong"));
   }
   for (const Support& support : scene.supports) {
-    const auto lies_on = [&](const Object& object) { return object.support == support.name; };
-    const bool is_used = scene.supports.size() == 1 ||
-                         std::any_of(scene.objects.begin(), scene.objects.end(), lies_on);
-    if (is_used && std::count(support.edges.begin(), support.edges.end(), EdgeLabel::real) == 0) {
+    if (is_used(support, scene) &&
+        std::count(support.edges.begin(), support.edges.end(), EdgeLabel::real) == 0) {
       scene.warnings.push_back(support.name +
                                " has no real edge: the image ends or something hides each; nothing "
                                "can be slid over an edge that was not seen");

@@ -230,6 +230,21 @@ TEST(Perceive, AnEdgeOutsideTheImageIsNotReal) {
   EXPECT_NE(near.warnings[0].find("no real edge"), std::string::npos);
 }
 
+TEST(Perceive, WhatTheLowerBorderCutsOffIsAnObjectWithAWarning) {
+  // Most of what is seen of it is above places of the table that are not in the image.
+  const Eigen::Isometry3d X_WC = look_at({-0.6, 0, 0.85}, {0, 0, 0.45});
+  for (const double height : {0.2, 0.3}) {
+    const Scene scene = perceive({view_of(
+        {floor(), table(), on_table({0.08, 0.12, height}, -0.27, 0.1), on_table(kBox, 0, 0)},
+        X_WC)});
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_NEAR(scene.objects[0].thickness, height, 0.01);
+    EXPECT_NEAR(scene.objects[0].X_WO.translation().y(), 0.1, 0.02);
+    ASSERT_FALSE(scene.objects[0].warnings.empty());
+    EXPECT_NE(scene.objects[0].warnings[0].find("the image cuts it off"), std::string::npos);
+  }
+}
+
 TEST(Perceive, AnEdgeBehindSomethingIsOccluded) {
   // A wall stands on the floor between the camera and the right half of the far edge, and a second
   // one against the left side.
@@ -532,6 +547,11 @@ TEST(Perceive, WarnsOfWhatMayBeWrong) {
       {floor(), table(), on_table({0.2, 0.2, 0.03}, 0, 0), box_at({0.1, 0.1, 0.04}, {0, 0, 0.45})},
       eye())});
   EXPECT_TRUE(warned(stacked, "one on top of another"));
+  Options low;
+  low.max_height = 0.08;
+  const Scene high = perceive({good}, low);
+  EXPECT_TRUE(warned(high, " reaches 0.1"));
+  EXPECT_TRUE(warned(high, "raise max_height"));
 }
 
 TEST(Perceive, LargeImagesAreThinnedAndSaySo) {
@@ -544,6 +564,12 @@ TEST(Perceive, LargeImagesAreThinnedAndSaySo) {
   EXPECT_LT((scene.objects[0].X_WO.translation() - Eigen::Vector3d(0, 0, 0.4)).norm(), 0.006);
   ASSERT_FALSE(scene.warnings.empty());
   EXPECT_NE(scene.warnings[0].find("one of 2 rows"), std::string::npos);
+}
+
+TEST(Perceive, ReadsCommonImagesWhole) {
+  const Camera camera = camera_with_view(848, 480, 1.2042771838760873);
+  const View view{render({floor(), table()}, eye(), camera).depth, camera.K, eye()};
+  EXPECT_TRUE(perceive({view}).warnings.empty());
 }
 
 TEST(Perceive, RefusesACallersMistakesByName) {
