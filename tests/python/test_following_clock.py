@@ -163,6 +163,21 @@ def test_a_fault_of_the_clock_is_forgotten_when_it_goes_on(sliding):
     assert sliding.run().status == "done"
 
 
+@pytest.mark.parametrize("given", [None, np.nan])
+def test_a_single_fault_of_the_clock_does_not_slow_the_motion_down(plan, given):
+    """A clock of milliseconds gives a faster loop each time twice."""
+    ends = []
+    for is_faulty in (False, True):
+        world = World(plan, rate=100.0, camera=0)
+        world.follower = Follower(plan, Settings(look_seconds=0.0))
+        while world.targets[-1:] == [] or world.targets[-1].phase == "approach":
+            world.step()
+            if is_faulty:
+                world.follower.update(world.t if given is None else given, world.q)
+        ends.append(world.t)
+    assert ends[1] == pytest.approx(ends[0], abs=0.03)
+
+
 def test_joints_are_checked_also_without_a_time(sliding):
     wrong = np.full(8, np.nan)
     for _ in range(9):

@@ -34,12 +34,16 @@ class Clock:
         Time that increases also where the clock was set; -inf before the first call [s].
     period : float
         Mean time between calls [s].
+    was_set : bool
+        True if the last step went on from a time that was refused: the clock was set, or nobody
+        called for a while.
     """
 
     def __init__(self, patience: float) -> None:
         self._patience = patience
         self.now = -math.inf
         self.period = _LOOP
+        self.was_set = False
         self._last = self._refused = math.nan
         self._shift = 0.0  # from a time to `now`
         self._calls = 0  # since the last step
@@ -65,7 +69,7 @@ class Clock:
         return 0.0, ""
 
     def _on(self, t: float) -> tuple[float, str]:
-        since = t - self._last
+        since, self.was_set = t - self._last, False
         if not 0 < since <= JUMP:
             if not LEAST <= t - self._refused <= JUMP:
                 self._refused = t
@@ -73,6 +77,7 @@ class Clock:
                 return 0.0, f"t: {t}: " + (off if since > 0 else f"should be above {self._last}")
             since = t - self._refused
             self._shift = self.now + since - t
+            self.was_set = True
         if since >= LEAST:
             self.period += _SHARE * (min(since / self._calls, _SLOWEST) - self.period)
             self._last, self._refused, self._calls = t, math.nan, 0

@@ -81,6 +81,11 @@ class Course:
         return self.clock >= self._timed.duration and self._since >= self._fades * self.differs
 
     @property
+    def is_fading(self) -> bool:
+        """True while something is left of the motion before."""
+        return self.differs and self._since < self._fades
+
+    @property
     def differs(self) -> bool:
         """True if the segment began in another state than at rest in its first row."""
         return bool(np.any(self._offset) or np.any(self._drift))
@@ -126,7 +131,7 @@ class Course:
 
     def _left(self, ahead: float) -> Matrix:
         """Returns what is left of the motion before: a cubic that ends in rest."""
-        since = self._since + ahead
+        since = max(0.0, self._since + ahead)
         x = since / self._fades
         if x >= 1 or not self.differs:
             return np.zeros_like(self._offset)

@@ -108,7 +108,7 @@ class Follower(Pursuit):
         ----------
         t : float
             Time, increasing from call to call [s]. Where it does not, or jumps by more than 1 s,
-            nothing moves in this call. The next one may go on from there, from rest.
+            nothing moves in this call. The next one may go on from there; after a jump, from rest.
         q : array [dof]
             Measured joints, in the order of the plan's joint_names [rad or m].
         pose : array [4, 4], optional
@@ -130,7 +130,7 @@ class Follower(Pursuit):
         since, fault = self._clock.step(t)
         if fault:
             return self._untimed(fault, q, pose)
-        if since > max(_LONGEST, late):
+        if self._clock.was_set or since > max(_LONGEST, late):
             self._motion.rest()
         seconds, seen = min(since, _LONGEST, late), "none"
         self._t = self._clock.now
@@ -148,7 +148,6 @@ class Follower(Pursuit):
 
     def _untimed(self, fault: str, q: Any, pose: Any) -> Target:
         """Moves nothing: it is not known how far. The joints are checked nevertheless."""
-        self._motion.rest()
         waits, is_lost = self._watch.joints(self._clock.period, q, self._motion.target)
         if self._clock.is_lost:
             self._is_held = True
@@ -204,11 +203,11 @@ class Follower(Pursuit):
         before = self._deviation.commanded
         self._correction.move(seconds, self._deviation.pivot, *step)
         halted = halted or bool(self._restart or self._is_braking)
-        pace, braking = self._motion.pace, self.settings.brake_seconds
+        braking = self.settings.brake_seconds
         if halted:
             self._course.advance(seconds, 0.0, braking)
         else:
-            self._course.advance(seconds, pace, 2 * braking)
+            self._course.advance(seconds, self._motion.pace, 2 * braking)
         if self._course.name in IN_CONTACT:
             self.estimate.carry(self._t, before, self._deviation.commanded)
         if waits or self._stopped:
@@ -219,7 +218,7 @@ class Follower(Pursuit):
             self._begin_anew()
         elif self._course.has_ended and not halted:
             self._settle(seconds)
-            is_blind, settings = not self._camera.used, self.settings
+            is_blind, settings = not self._camera.used or self._goes_back, self.settings
             if self._still < self._motion.window:
                 return
             if self._deviation.has_settled(self._still, is_blind, settings, self._is_stuck):

@@ -44,10 +44,10 @@ class Pace:
         shift = np.append(correction.motion, correction.height)
         if not shift.any():
             return 1.0
-        if course is not self._course or self._is_stale(shift):
+        if course is not self._course or course.is_fading or self._is_stale(shift):
             self._course, self._shift, self._known = course, shift, {}
-        first = int(course.clock / _STEP) - 1
-        moments = range(first, first + 4 + int(self._ahead / _STEP))
+        now = int(course.clock / _STEP)
+        moments = range(max(now - 1, 0), now + 3 + int(self._ahead / _STEP))
         self._known = {k: self._known[k] if k in self._known else self._at(k) for k in moments}
         rows = np.array(list(self._known.values()))
         speed = np.abs(np.diff(rows, axis=0)).max(axis=0) / _STEP
