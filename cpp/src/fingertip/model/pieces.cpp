@@ -58,7 +58,8 @@ std::vector<Piece> pieces_of(const geometry::Mesh& mesh) {
   return pieces;
 }
 
-/// How often a piece winds around a point: 1 inside, 0 outside, between them on its surface.
+/// How often a piece winds around a point: 1 inside, or -1 if it is inside out; 0 outside; between
+/// them on its surface.
 double winding(const geometry::Mesh& mesh, const Piece& piece, const Eigen::Vector3d& p) {
   double angle = 0;  // solid, by van Oosterom and Strackee
   for (const int triangle : piece.triangles) {
@@ -78,13 +79,14 @@ bool is_inside(const geometry::Mesh& mesh, const Piece& inner, const Piece& oute
   constexpr std::size_t kSamples = 6;
   if (!outer.box.contains(inner.box)) return false;
   double least = 1, most = 0;
+  const double sign = outer.volume > 0 ? 1 : -1;
   const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / kSamples);
   for (std::size_t i = 0; i < inner.triangles.size(); i += step) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
       middle += mesh.vertices.col(mesh.triangles(k, inner.triangles[i])) / 3;
     }
-    const double around = winding(mesh, outer, middle);
+    const double around = sign * winding(mesh, outer, middle);
     least = std::min(least, around);
     most = std::max(most, around);
   }
@@ -119,10 +121,11 @@ void require_outward(const geometry::Mesh& mesh, double least_volume, const std:
   const std::vector<Piece> pieces = pieces_of(mesh);
   for (const Piece& piece : pieces) {
     if (piece.volume >= -least_volume) continue;
-    const bool is_cavity = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& other) {
-      return other.volume > 0 && is_inside(mesh, piece, other);
-    });
-    if (is_cavity) continue;
+    int around = 0;  // solids about it, less the cavities about it
+    for (const Piece& other : pieces) {
+      if (&other != &piece && is_inside(mesh, piece, other)) around += other.volume > 0 ? 1 : -1;
+    }
+    if (around > 0) continue;  // a cavity
     const Eigen::Vector3d at = piece.box.center();
     throw std::invalid_argument(
         what + " must be oriented throughout, but its piece of " +
