@@ -176,7 +176,7 @@ def test_what_is_too_large_is_a_status():
     assert read_plan(plan.to_json(), "plan") == plan
 
 
-@pytest.mark.filterwarnings("ignore:.*is more than 100 m")
+@pytest.mark.filterwarnings("ignore:.*(is more than 100 m|nothing there holds it)")
 @pytest.mark.parametrize(
     ("document", "less"),
     [
