@@ -9,8 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .. import files
-from .._plan import Plan
+from .. import _plan, files
 from ..errors import TaskError, missing, shown
 from ..kinds import part, require_motion
 
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from .. import geometry
+    from .._plan import Plan
     from ..perception import Scene
     from ..simulation.results import Recording
     from .hand import Proposal
@@ -218,7 +218,7 @@ def serve_proposal(proposal: Proposal, port: int = 8080) -> None:
 
 
 def _require_plan(plan: object) -> None:
-    if not isinstance(plan, Plan):
+    if not isinstance(plan, _plan.Plan):
         what = "should be a graspless.Plan; graspless.load_plan reads one from its file"
         raise TaskError(f"plan: {shown(plan)}: {what}")
 
