@@ -72,9 +72,16 @@ float raw_height(const Sighting& from, int u, int v) {
                             from.heights.camera);
 }
 
+/// Pixels over a region that are too high for an object.
+struct TooHigh {
+  int count = 0;
+  float height = 0;  ///< of the highest [m]
+};
+
 /// All free pixels of a view that lie above the plane, near the region.
 void collect(const Sighting& from, int view, const Region& region, const NoiseModel& noise,
-             const Options& options, const Claims& claims, std::vector<Pixel>& pixels) {
+             const Options& options, const Claims& claims, std::vector<Pixel>& pixels,
+             TooHigh& too_high) {
   const Sight& sight = *from.sight;
   const Rays rays(from, region.X_WS);
   const Raster& mask = region.inside;
@@ -83,12 +90,17 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
     poll();
     for (int u = 0; u < sight.width(); ++u) {
       if (from.heights.level(v, u) != Level::above) continue;
-      if (from.heights.height(v, u) > highest || claims[static_cast<std::size_t>(view)](v, u)) {
-        continue;
-      }
+      if (claims[static_cast<std::size_t>(view)](v, u)) continue;
       const double z = static_cast<double>(sight.depth(v, u));
       const Eigen::Vector3d p = rays.at_depth(u, v, z);
-      if (!mask.has(mask.column(p.x()), mask.row(p.y()))) continue;
+      const int column = mask.column(p.x()), row = mask.row(p.y());
+      if (const float height = from.heights.height(v, u); height > highest) {
+        if (!mask.at(column, row)) continue;
+        ++too_high.count;
+        too_high.height = std::max(too_high.height, height);
+        continue;
+      }
+      if (!mask.has(column, row)) continue;
       const Patch patch = smoothed(from, noise, u, v);
       // The smoother height also gives a smoother place on the ray.
       const Eigen::Vector3d placed = rays.at_height(u, v, static_cast<double>(patch.height), z);
@@ -135,12 +147,14 @@ Rays::Rays(const Sighting& from, const Eigen::Isometry3d& X_WS)
 }
 
 std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sighting>& sightings,
-                                   const NoiseModel& noise, const Options& options,
-                                   Claims& claims) {
+                                   const NoiseModel& noise, const Options& options, Claims& claims,
+                                   double& left_out) {
   std::vector<Pixel> pixels;
+  TooHigh too_high;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
-    collect(sightings[i], static_cast<int>(i), region, noise, options, claims, pixels);
+    collect(sightings[i], static_cast<int>(i), region, noise, options, claims, pixels, too_high);
   }
+  left_out = too_high.count < kFewestHigh ? 0 : static_cast<double>(too_high.height);
   if (pixels.empty()) return {};
   Eigen::AlignedBox2d box;
   for (const Pixel& pixel : pixels) box.extend(pixel.p.cast<double>());
@@ -178,29 +192,6 @@ std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sight
     kept.push_back(std::move(cluster));
   }
   return kept;
-}
-
-double height_left_out(const Region& region, const std::vector<Sighting>& sightings,
-                       const Options& options, const Claims& claims) {
-  const auto highest = static_cast<float>(options.max_height);
-  int count = 0;
-  float height = 0;
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    poll();
-    const Sighting& from = sightings[i];
-    const Rays rays(from, region.X_WS);
-    for (int v = 0; v < from.sight->height(); ++v) {
-      for (int u = 0; u < from.sight->width(); ++u) {
-        const float at = from.heights.height(v, u);
-        if (from.heights.level(v, u) != Level::above || at <= highest || claims[i](v, u)) continue;
-        const Eigen::Vector3d p = rays.at_depth(u, v, static_cast<double>(from.sight->depth(v, u)));
-        if (!region.inside.at(region.inside.column(p.x()), region.inside.row(p.y()))) continue;
-        ++count;
-        height = std::max(height, at);
-      }
-    }
-  }
-  return count < kFewestHigh ? 0 : static_cast<double>(height);
 }
 
 }  // namespace graspless::perception

@@ -59,13 +59,10 @@ using Claims = std::vector<Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic, Ei
 
 /// Groups the pixels above a region whose projections onto it are connected. Pixels that are
 /// claimed are left out, and those of the clusters claimed. `regions` before this one are higher or
-/// were searched before.
+/// were searched before. `left_out` becomes the height of the highest pixels over the region that
+/// are higher than `max_height` and so belong to no cluster [m]; 0 if there are hardly any.
 std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sighting>& sightings,
-                                   const NoiseModel& noise, const Options& options, Claims& claims);
-
-/// Height of the highest of the free pixels over a region that are higher than `max_height` and so
-/// belong to no cluster [m]; 0 if there are hardly any.
-double height_left_out(const Region& region, const std::vector<Sighting>& sightings,
-                       const Options& options, const Claims& claims);
+                                   const NoiseModel& noise, const Options& options, Claims& claims,
+                                   double& left_out);
 
 }  // namespace graspless::perception

@@ -114,7 +114,6 @@ class Builder {
         scene_.unseen.push_back({"", std::move(shape)});
       }
       areas_.push_back(region.area);
-      left_out_.push_back(height_left_out(region, sightings, options_, claims_));
       scene_.supports.push_back(std::move(support));
       claim_support(region, sightings);
     }
@@ -155,7 +154,9 @@ class Builder {
 
   void add_objects(const Region& region, const Support& support,
                    const std::vector<Sighting>& sightings) {
-    for (const Cluster& cluster : clusters_over(region, sightings, noise_, options_, claims_)) {
+    const std::vector<Cluster> clusters =
+        clusters_over(region, sightings, noise_, options_, claims_, left_out_.emplace_back());
+    for (const Cluster& cluster : clusters) {
       auto object = measure(cluster, region, support, sightings, noise_, options_);
       if (!object) continue;
       object->name = say(scene_.objects.size());

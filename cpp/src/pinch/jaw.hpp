@@ -60,9 +60,9 @@ class Jaw {
   /// By how much the hand must come aside of where it closes on two faces, along Y_H, so that each
   /// finger keeps `margin` from its face [m]. 0 unless one jaw opens less than the other.
   double shift(const Grip& grip, double width, double margin) const;
-  /// Distance between the fingers at a configuration of all joints [m].
   /// The hand at a configuration of all joints.
   Grip at(const Eigen::VectorXd& q) const;
+  /// Distance between the fingers at a configuration of all joints [m].
   double gap(const Eigen::VectorXd& q) const { return at(q).gap; }
   /// Box around each finger of the hand that comes to the object, in H [m].
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;

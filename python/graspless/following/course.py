@@ -78,7 +78,7 @@ class Course:
     @property
     def has_ended(self) -> bool:
         """True if the last row is reached."""
-        return self.clock >= self._timed.duration and self._since >= self._fades * self.differs
+        return self.clock >= self._timed.duration and not self.is_fading
 
     @property
     def is_fading(self) -> bool:

@@ -21,8 +21,8 @@ _PAUSE = 0.05  # between segments [s]
 _IN_VAIN = 0.8  # of the largest turn
 _BACK = 1e-4, 1e-3  # of the plan's own path, where the hand counts as on it [m, rad]
 _TRIED = 0.05  # turn of the hand after which it is known how far the object follows [rad]
-_NEAR = 0.5  # of what is corrected in place, where the hand may close
 _FOLLOWS = 0.3  # part of it that an object has to follow at least
+_NEAR = 0.5  # of what is corrected in place, where the hand may close
 ON_OBJECT = ("approach", "reach", "grasp")  # the hand moves to the object
 
 

@@ -223,7 +223,8 @@ class Follower(Pursuit):
                 return
             if self._deviation.has_settled(self._still, is_blind, settings, self._is_stuck):
                 self._end()
-                self._reason = self._doubt() if self.is_done else self._reason
+                if self.is_done:
+                    self._reason = self._doubt()
 
     def _doubt(self) -> str:
         """Returns why the hand may have closed on nothing, or an empty text."""

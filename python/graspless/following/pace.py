@@ -48,7 +48,9 @@ class Pace:
             self._course, self._shift, self._known = course, shift, {}
         now = int(course.clock / _STEP)
         moments = range(max(now - 1, 0), now + 3 + int(self._ahead / _STEP))
-        self._known = {k: self._known[k] if k in self._known else self._at(k) for k in moments}
+        self._known = {
+            k: self._known[k] if k in self._known else self._at(course, k) for k in moments
+        }
         rows = np.array(list(self._known.values()))
         speed = np.abs(np.diff(rows, axis=0)).max(axis=0) / _STEP
         bend = np.abs(np.diff(rows, 2, axis=0)).max(axis=0) / _STEP**2
@@ -62,8 +64,7 @@ class Pace:
         most, turned = _STALE
         return bool(moved[[0, 1, 3]].max() > most or moved[2] > turned)
 
-    def _at(self, k: int) -> Matrix:
+    def _at(self, course: Course, k: int) -> Matrix:
         """Returns the joints [dof] where the clock is at k steps; the shift is that of now."""
-        assert self._course is not None
-        q = self._course.position(k * _STEP - self._course.clock)
+        q = course.position(k * _STEP - course.clock)
         return self._hand.shifted(q, self._shift[:3], float(self._shift[3]))

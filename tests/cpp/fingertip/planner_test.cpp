@@ -219,8 +219,8 @@ TEST(FingertipPlanner, WritesUpWhatWasFoundAfterTheTime) {
     poll();
   }));
   ASSERT_EQ(found.status, Status::solved) << found.reason;
+  EXPECT_GE(late.seconds(), 0.06);  // more than 40 ms, or this tests nothing
   EXPECT_EQ(check(problem, found, options), std::vector<std::string>());
-  if (late.seconds() < 0.04) GTEST_SKIP() << "written up within the time of any plan";
 }
 
 }  // namespace

@@ -166,13 +166,16 @@ TEST(UrdfReader, WarnsOfLimitsBelowZero) {
 TEST(UrdfReader, WarnsOfVelocityLimitsOfZero) {
   const std::string limit = "<limit lower='0' upper='1' effort='1' velocity='", kZero = "0.0'/>";
   const Robot robot =
-      read(links({"a", "b", "c", "d", "e"}) + joint("elbow", "a", "b", limit + kZero) +
-           joint("wrist", "b", "c", limit + "0.5'/>") +
+      read(links({"free", "a", "b", "c", "d", "e"}) +
+           joint("root", "free", "a", limit + kZero, "floating") +
+           joint("elbow", "a", "b", limit + kZero) + joint("wrist", "b", "c", limit + "0.5'/>") +
            joint("echo", "c", "d", limit + kZero + "<mimic joint='wrist'/>") +
            joint("weld", "d", "e", limit + kZero, "fixed"));
-  EXPECT_EQ(robot.warnings(),
-            std::vector<std::string>{"URDF: <limit> with velocity 0, which is taken as unknown; "
-                                     "give the largest speed in rad/s or m/s: joints 'elbow'"});
+  EXPECT_EQ(
+      robot.warnings(),
+      (std::vector<std::string>{"URDF line 1: joint 'root' is of type 'floating'; treated as fixed",
+                                "URDF: <limit> with velocity 0, which is taken as unknown; "
+                                "give the largest speed in rad/s or m/s: joints 'elbow'"}));
   EXPECT_TRUE(std::isinf(robot.max_velocity()[0]));
   EXPECT_EQ(robot.max_velocity()[1], 0.5);
 }

@@ -58,8 +58,10 @@ class GRASPLESS_API World {
   /// std::invalid_argument on a negative clearance or a pair that is not tested.
   void keep_apart(int a, int b, double clearance);
   int num_pairs() const;
-  // Queries of one pair throw std::invalid_argument unless its index is in [0, num_pairs()).
-  std::pair<int, int> pair(int index) const;  ///< the smaller body index first
+  /// The bodies of a pair, the smaller index first. This, shift(), distance_bound(),
+  /// proven_distance(), touches() and swallows() throw std::invalid_argument unless the index of
+  /// the pair is in [0, num_pairs()).
+  std::pair<int, int> pair(int index) const;
   std::vector<std::pair<int, int>> pairs() const;
   /// Displacement of the second body of a pair in its tests, in W [m]: the allowance.
   const Eigen::Vector3d& shift(int pair) const;

@@ -133,12 +133,15 @@ bool is_zero(const char* text) {
 }
 
 /// Returns a warning that names the joints with a velocity limit of 0, which many files write for
-/// "unknown"; empty if there are none. Limits of fixed and mimic joints are not used.
+/// "unknown"; empty if there are none. Limits of joints that mimic others, or do not move, are not
+/// used.
 std::string zero_velocities(const TiXmlElement& robot) {
+  static const std::set<std::string> kMoving = {"revolute", "continuous", "prismatic"};
   std::vector<std::string> joints;
   for (auto* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
     const TiXmlElement* limit = e->FirstChildElement("limit");
-    if (!limit || e->FirstChildElement("mimic") || attribute(*e, "type") == "fixed") continue;
+    if (!limit || e->FirstChildElement("mimic") || kMoving.count(attribute(*e, "type")) == 0)
+      continue;
     if (is_zero(limit->Attribute("velocity"))) joints.push_back(attribute(*e, "name"));
   }
   if (joints.empty()) return "";

@@ -125,17 +125,6 @@ std::optional<double> face_height(const geometry::HeightMap& map, const Eigen::M
   return height;
 }
 
-/// True if a point is in the convex hull of others, or beside it by kComSlack.
-bool is_in_hull(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& p) {
-  const Eigen::Matrix2Xd hull = geometry::convex_outline(points);
-  for (Eigen::Index i = 0; i < hull.cols(); ++i) {
-    const Eigen::Vector2d a = hull.col(i), along = hull.col((i + 1) % hull.cols()) - a;
-    const Eigen::Vector2d inward(-along.y(), along.x());
-    if (inward.dot(p - a) < -kComSlack * along.norm()) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Object::Object(std::string name, Eigen::Matrix2Xd points, geometry::Polygon outline,
@@ -190,9 +179,10 @@ bool Object::is_thin() const { return thickness_ <= kMaxSlenderness * least_widt
 double Object::least_width() const { return width_across_edges(outline_); }
 
 Object Object::with_com(const Eigen::Vector3d& com_O) const {
+  const geometry::Polygon hull(geometry::convex_outline(outline_.vertices()));
   const bool within = com_O.allFinite() && com_O.z() >= -kComSlack &&
                       com_O.z() <= thickness_ + kComSlack &&
-                      is_in_hull(outline_.vertices(), com_O.head<2>());
+                      hull.depth(com_O.head<2>()) >= -kComSlack;
   if (!within) {
     throw std::invalid_argument("com (" + figure(com_O.x()) + ", " + figure(com_O.y()) + ", " +
                                 figure(com_O.z()) +
