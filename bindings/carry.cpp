@@ -44,20 +44,20 @@ void bind_places(py::module_& m) {
            "relative to the object, with the same fingers. Without them, it goes straight. "
            "down_O: (3,) direction in O in which the object comes down; zero: against the normal.")
       .def_property_readonly(
-          "X_WO", [](const Places& self) { return from_poses(self.X_WO); },
+          "X_WO", [](const Places& self) { return shown_poses(self.X_WO); },
           "(N, 4, 4) poses of the object in the world, the best first.")
       .def_readonly("on", &Places::on, "Obstacle on which the object then stands.")
       .def_property_readonly(
-          "q_open", [](const Places& self) -> Eigen::VectorXd { return self.q_open; },
+          "q_open", [](const Places& self) -> const Eigen::VectorXd { return self.q_open; },
           "(dof,) configuration whose joints outside the arm's group open the hand [rad or m].")
       .def_readonly("way_out", &Places::way_out,
                     "List of (dof,) configurations along which the hand can leave the object [rad "
                     "or m]; empty: it goes straight.")
       .def_property_readonly(
-          "down_O", [](const Places& self) -> Eigen::Vector3d { return self.down_O; },
+          "down_O", [](const Places& self) -> const Eigen::Vector3d { return self.down_O; },
           "(3,) direction in O in which the object comes down; zero: against the normal.")
       .def_property_readonly(
-          "normal_W", [](const Places& self) -> Eigen::Vector3d { return self.normal_W; },
+          "normal_W", [](const Places& self) -> const Eigen::Vector3d { return self.normal_W; },
           "(3,) unit normal of the obstacle's surface in the world.")
       .def("__repr__", [](const Places& self) {
         return "<Places: " + std::to_string(self.X_WO.size()) + " on '" + self.on + "'>";
@@ -106,7 +106,7 @@ void bind_problem(py::module_& m) {
       .def_readonly("object", &Problem::object, "Held object, with its pose at the start.")
       .def_property_readonly(
           "X_WO_goal",
-          [](const Problem& self) -> std::optional<Pose> {
+          [](const Problem& self) -> std::optional<const Pose> {
             if (self.places) return std::nullopt;
             return from_pose(self.X_WO_goal);
           },
@@ -114,13 +114,13 @@ void bind_problem(py::module_& m) {
       .def_readonly("places", &Problem::places, "Places where the object is put down, or None.")
       .def_property_readonly(
           "X_WO_hanging",
-          [](const Problem& self) -> std::optional<Pose> {
+          [](const Problem& self) -> std::optional<const Pose> {
             if (!self.X_WO_hanging) return std::nullopt;
             return from_pose(*self.X_WO_hanging);
           },
           "(4, 4) pose of a loose object at the start, as it hangs in the hand; else None.")
       .def_property_readonly(
-          "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
+          "q_start", [](const Problem& self) -> const Eigen::VectorXd { return self.q_start; },
           "(dof,) configuration at the start [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles,
                     "Bodies that neither the arm nor the object may touch.")

@@ -160,7 +160,7 @@ ValueError
 )")
       .def_property_readonly("name", &Object::name, "Name used in error messages and pictures.")
       .def_property_readonly(
-          "points", [](const Object& self) -> Rows3 { return self.points().transpose(); },
+          "points", [](const Object& self) -> const Rows3 { return self.points().transpose(); },
           "(N, 3) input cloud, in O [m].")
       .def_property_readonly(
           "loops", [](const Object& self) { return self.loops(); }, "geometry.Loops in O; a copy.")
@@ -254,16 +254,17 @@ ValueError
       .def_property_readonly(
           "object", [](const Problem& self) { return self.object; }, "The object to clasp.")
       .def_property_readonly(
-          "X_WO", [](const Problem& self) { return from_pose(self.X_WO); },
+          "X_WO", [](const Problem& self) -> const Pose { return from_pose(self.X_WO); },
           "(4, 4) pose of the object in W.")
       .def_property_readonly(
-          "q_start", [](const Problem& self) -> Eigen::VectorXd { return self.q_start; },
+          "q_start", [](const Problem& self) -> const Eigen::VectorXd { return self.q_start; },
           "(dof,) start configuration [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in W.")
       .def_readonly("loops", &Problem::loops,
                     "Indices of the loops that may be clasped; empty: all.")
       .def_property_readonly(
-          "marks", [](const Problem& self) -> Rows3 { return columns(self.marks).transpose(); },
+          "marks",
+          [](const Problem& self) -> const Rows3 { return columns(self.marks).transpose(); },
           "(N, 3) points in O near which to clasp [m]; none: anywhere.")
       .def_property_readonly(
           "pull_W", [](const Problem& self) { return self.pull_W; },
@@ -418,14 +419,14 @@ void bind_segment(py::module_& m) {
       .def_readonly("name", &Segment::name, "reach or close.")
       .def_property_readonly(
           "positions",
-          [](const Segment& self) {
+          [](const Segment& self) -> const Rows {
             return from_configurations(self.positions,
                                        self.positions.empty() ? 0 : self.positions.front().size());
           },
           "(N, dof) all joints [rad or m].")
       .def_property_readonly(
           "virtual_linking",
-          [](const Segment& self) -> Rows { return self.virtual_linking.transpose(); },
+          [](const Segment& self) -> const Rows { return self.virtual_linking.transpose(); },
           "(N, curves) |VLk| of every finger curve with the loop clasped, at each row.")
       .def(
           "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
@@ -450,7 +451,7 @@ void bind_tree(py::module_& m) {
            "p_W: (N, 3) [m]. parents: (N,) node indices. path: node indices from the root to the "
            "clasp.")
       .def_property_readonly(
-          "p_W", [](const Tree& self) -> Rows3 { return self.p_W.transpose(); },
+          "p_W", [](const Tree& self) -> const Rows3 { return self.p_W.transpose(); },
           "(N, 3) centre of the finger curves at every node, in W [m].")
       .def_readonly("parents", &Tree::parents,
                     "Index of every node's parent; the root is its own parent.")
@@ -503,7 +504,7 @@ void bind_hang(py::module_& m) {
                          "Pose in which an object hangs in a closed hand that carries it.");
   found.def_readonly("holds", &Hang::holds, "True if the hand holds it up.")
       .def_property_readonly(
-          "X_WO", [](const Hang& self) { return from_pose(self.X_WO); },
+          "X_WO", [](const Hang& self) -> const Pose { return from_pose(self.X_WO); },
           "(4, 4) pose in the world where it comes to rest.")
       .def_readonly("drop", &Hang::drop,
                     "Distance by which the mean of its surface is lower there [m].")

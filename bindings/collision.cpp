@@ -35,7 +35,7 @@ void bind_obstacle(py::module_& m) {
       .def_readonly("name", &Obstacle::name, "Name in errors.")
       .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
       .def_property_readonly(
-          "X_WB", [](const Obstacle& self) { return from_pose(self.X_WB); },
+          "X_WB", [](const Obstacle& self) -> const Pose { return from_pose(self.X_WB); },
           "(4, 4) pose in the world.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"name", "shapes", "X_WB"});

@@ -174,6 +174,12 @@ py::array_t<double> from_poses(const Poses& X) {
   return result;
 }
 
+py::array_t<double> shown_poses(const Poses& X) {
+  py::array_t<double> result = from_poses(X);
+  result.attr("setflags")(py::arg("write") = false);
+  return result;
+}
+
 Rows from_configurations(const Configurations& q, Eigen::Index dof) {
   Rows rows(static_cast<Eigen::Index>(q.size()), dof);
   for (std::size_t i = 0; i < q.size(); ++i) {

@@ -53,6 +53,7 @@ Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q,
 
 Pose from_pose(const Eigen::Isometry3d& X);
 py::array_t<double> from_poses(const Poses& X);                       ///< N x 4 x 4
+py::array_t<double> shown_poses(const Poses& X);                      ///< as from_poses, read-only
 Rows from_configurations(const Configurations& q, Eigen::Index dof);  ///< N x dof
 
 /// A pose argument whose default is the identity.
@@ -61,6 +62,9 @@ py::arg_v pose_arg(const char* name);
 /// What may stand for a frame or a body: its name or its index.
 using Key = std::variant<std::string, int>;
 int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name = "frame");
+
+// Attributes whose arrays are copies return a const matrix, from which pybind11 makes a read-only
+// array: in one that could be changed, the change would be lost.
 
 /// How Python gives and sees a value of a plain struct; a specialization where it is not as here.
 template <class Value>
@@ -114,7 +118,10 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
   } else {
     cls.def_property(
         field.name,
-        [member = field.member](const Struct& self) { return Type::shown(self.*member); },
+        [member = field.member](const Struct& self)
+            -> std::add_const_t<std::decay_t<decltype(Type::shown(std::declval<const Value&>()))>> {
+          return Type::shown(self.*member);
+        },
         [field](Struct& self, const typename Type::Given& value) {
           self.*(field.member) = Type::from(value, field.name);
         },

@@ -164,15 +164,15 @@ void bind_object(py::module_& m) {
       .def_property_readonly("faces", &Object::faces,
                              "Faces. Coplanar neighbouring triangles form one face.")
       .def_property_readonly(
-          "hull", [](const Object& self) -> Rows3 { return self.hull().transpose(); },
+          "hull", [](const Object& self) -> const Rows3 { return self.hull().transpose(); },
           "(N, 3) vertices of the convex hull, in O [m].")
       .def_property_readonly("is_convex", &Object::is_convex, "True if the object is convex.")
       .def_property_readonly("mass", &Object::mass, "Mass [kg].")
       .def_property_readonly(
-          "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
+          "com", [](const Object& self) -> const Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
       .def_property_readonly(
-          "inertia", [](const Object& self) -> Eigen::Matrix3d { return self.inertia(); },
+          "inertia", [](const Object& self) -> const Eigen::Matrix3d { return self.inertia(); },
           "(3, 3) inertia about the centre of mass, in O [kg m^2].")
       .def_property_readonly("size", &Object::size, "Diagonal of the bounding box [m].")
       .def("__repr__", [](const Object& self) {
@@ -245,7 +245,7 @@ void bind_motion(py::module_& m) {
       .def(py::init([](const Array& X_WO) { return Path{to_poses(X_WO, "X_WO")}; }),
            py::arg("X_WO"), "X_WO: (K, 4, 4) poses of O in the world, two or more.")
       .def_property_readonly(
-          "X_WO", [](const Path& self) { return from_poses(self.X_WO); },
+          "X_WO", [](const Path& self) { return shown_poses(self.X_WO); },
           "(K, 4, 4) poses of O in the world.")
       .def(
           "__len__", [](const Path& self) { return self.X_WO.size(); }, "Number of poses.")
@@ -468,7 +468,7 @@ void bind_rows(py::module_& m) {
            "Returns object_poses, margins and fingers as _rows() takes them.")
       .def_readonly("name", &Segment::name, "slide, turn, tumble or regrasp.")
       .def_property_readonly(
-          "X_WO", [](const Segment& self) { return from_poses(self.X_WO); },
+          "X_WO", [](const Segment& self) { return shown_poses(self.X_WO); },
           "(K, 4, 4) poses of the lattice in the world, first to last.")
       // Copies: a segment that keeps its rows, and is kept by them, would never be freed.
       .def_property_readonly(
@@ -556,13 +556,13 @@ void bind_realization(py::module_& m) {
                     "approach, touch, slide, turn, tumble, release, reach or retreat.")
       .def_property_readonly(
           "positions",
-          [](const JointSegment& self) {
+          [](const JointSegment& self) -> const Rows {
             return from_configurations(self.positions,
                                        self.positions.empty() ? 0 : self.positions.front().size());
           },
           "(N, dof) all joints [rad or m].")
       .def_property_readonly(
-          "X_WO", [](const JointSegment& self) { return from_poses(self.X_WO); },
+          "X_WO", [](const JointSegment& self) { return shown_poses(self.X_WO); },
           "(N, 4, 4) pose of O in the world at each row.")
       .def_readonly("plan_segment", &JointSegment::plan_segment,
                     "Index of the plan's segment that it carries out, or -1.")

@@ -93,7 +93,7 @@ void bind_shapes(py::module_& m) {
            }),
            py::arg("vertices"), "vertices: (N, 3) points that span a volume [m].")
       .def_property_readonly(
-          "vertices", [](const Convex& shape) -> Rows3 { return shape.vertices.transpose(); },
+          "vertices", [](const Convex& shape) -> const Rows3 { return shape.vertices.transpose(); },
           "(N, 3) points [m].")
       .def("__repr__",
            [](const Convex& shape) { return count("Convex", shape.vertices.cols(), "points"); });
@@ -109,10 +109,10 @@ void bind_shapes(py::module_& m) {
            py::arg("vertices"), py::arg("triangles"),
            "vertices: (N, 3) [m]. triangles: (M, 3) vertex indices.")
       .def_property_readonly(
-          "vertices", [](const Mesh& mesh) -> Rows3 { return mesh.vertices.transpose(); },
+          "vertices", [](const Mesh& mesh) -> const Rows3 { return mesh.vertices.transpose(); },
           "(N, 3) vertices [m].")
       .def_property_readonly(
-          "triangles", [](const Mesh& mesh) -> Rows3i { return mesh.triangles.transpose(); },
+          "triangles", [](const Mesh& mesh) -> const Rows3i { return mesh.triangles.transpose(); },
           "(M, 3) vertex indices of the triangles.")
       .def("__repr__",
            [](const Mesh& mesh) { return count("Mesh", mesh.triangles.cols(), "triangles"); });
@@ -125,7 +125,7 @@ void bind_shapes(py::module_& m) {
            "shape: Box, Sphere, Capsule, Convex or Mesh. X_BG: (4, 4) pose of its frame G in B.")
       .def_readonly("shape", &PlacedShape::shape, "Box, Sphere, Capsule, Convex or Mesh.")
       .def_property_readonly(
-          "X_BG", [](const PlacedShape& placed) { return from_pose(placed.X_BG); },
+          "X_BG", [](const PlacedShape& placed) -> const Pose { return from_pose(placed.X_BG); },
           "(4, 4) pose of the shape's frame G in B.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shape", "X_BG"});
@@ -186,7 +186,8 @@ void bind_polygon(py::module_& m) {
           "Raises ValueError on fewer than three vertices, a value that is not finite, a repeated\n"
           "vertex, or a boundary that crosses or touches itself.")
       .def_property_readonly(
-          "vertices", [](const Polygon& self) -> Rows2 { return self.vertices().transpose(); },
+          "vertices",
+          [](const Polygon& self) -> const Rows2 { return self.vertices().transpose(); },
           "(N, 2) vertices, counter-clockwise [m].")
       .def("__len__", &Polygon::size, "Number of vertices.")
       .def_property_readonly("area", &Polygon::area, "Area [m^2], positive.")
@@ -283,16 +284,17 @@ void bind_complex(py::module_& m) {
                       "triangulation\nwith all edges shorter than d (Stork, Pokorny, Kragic 2013, "
                       "Section IV-A).")
       .def_property_readonly(
-          "points", [](const Complex& self) -> Rows3 { return self.points.transpose(); },
+          "points", [](const Complex& self) -> const Rows3 { return self.points.transpose(); },
           "(N, 3) vertices [m].")
       .def_property_readonly(
           "edges",
-          [](const Complex& self) -> Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> {
+          [](const Complex& self) -> const Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> {
             return self.edges.transpose();
           },
           "(E, 2) point indices, the smaller first; sorted.")
       .def_property_readonly(
-          "triangles", [](const Complex& self) -> Rows3i { return self.triangles.transpose(); },
+          "triangles",
+          [](const Complex& self) -> const Rows3i { return self.triangles.transpose(); },
           "(T, 3) point indices, ascending; sorted. Includes triangles inside the object.")
       .def_readonly("max_edge_length", &Complex::max_edge_length, "d [m].")
       .def("__repr__", [](const Complex& self) {
@@ -340,7 +342,7 @@ void bind_complex(py::module_& m) {
            "Raises ValueError if there are fewer than 4 distinct points, if one is not finite, or "
            "if\nall lie in a plane.")
       .def_property_readonly(
-          "points", [](const Filtration& self) -> Rows3 { return self.points().transpose(); },
+          "points", [](const Filtration& self) -> const Rows3 { return self.points().transpose(); },
           "(N, 3) input points [m].")
       .def_property_readonly("num_vertices", &Filtration::num_vertices,
                              "Number of distinct points.")
@@ -450,22 +452,22 @@ void bind_ray_image(py::module_& m) {
                   "[pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's "
                   "points, z forward.")
       .def_property_readonly(
-          "ends", [](const RayImage& self) -> Ends { return self.ends; },
+          "ends", [](const RayImage& self) -> const Ends { return self.ends; },
           "(H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: "
           "unknown.")
       .def_property_readonly(
           "clear",
-          [](const RayImage& self) -> Ends {
+          [](const RayImage& self) -> const Ends {
             return self.clear.size() > 0 ? self.clear
                                          : Ends(Ends::Zero(self.ends.rows(), self.ends.cols()));
           },
           "(H, W) depths up to which rays of unknown end met nothing [m], float32; 0: nobody "
           "knows.")
       .def_property_readonly(
-          "K", [](const RayImage& self) -> Eigen::Matrix3d { return self.K; },
+          "K", [](const RayImage& self) -> const Eigen::Matrix3d { return self.K; },
           "(3, 3) camera matrix [pixels].")
       .def_property_readonly(
-          "X_OC", [](const RayImage& self) { return from_pose(self.X_OC); },
+          "X_OC", [](const RayImage& self) -> const Pose { return from_pose(self.X_OC); },
           "(4, 4) pose of the optical frame in the frame of the object's points.")
       .def("__repr__", [](const RayImage& self) {
         return "<RayImage of " + std::to_string(self.ends.cols()) + " x " +
@@ -537,16 +539,16 @@ void bind_height_map(py::module_& m) {
           "there are 1 to 10^6 cells of at least 1e-4 m, none with a negative height and one with "
           "a height of at least 1e-6 m.")
       .def_property_readonly(
-          "corner", [](const HeightMap& self) -> Eigen::Vector2d { return self.corner; },
+          "corner", [](const HeightMap& self) -> const Eigen::Vector2d { return self.corner; },
           "(2,) least x and y of the first cell [m].")
       .def_property_readonly(
           "cell", [](const HeightMap& self) { return self.cell; }, "Side of a cell [m].")
       .def_property_readonly(
-          "heights", [](const HeightMap& self) -> HeightRows { return self.heights; },
+          "heights", [](const HeightMap& self) -> const HeightRows { return self.heights; },
           "(nx, ny) heights [m].")
       .def_property_readonly(
           "undersides",
-          [](const HeightMap& self) -> std::optional<HeightRows> {
+          [](const HeightMap& self) -> std::optional<const HeightRows> {
             if (self.undersides.size() == 0) return std::nullopt;
             return self.undersides;
           },
@@ -602,7 +604,7 @@ void bind_loops(py::module_& m) {
   py::class_<Loop>(m, "Loop",
                    "A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).")
       .def_property_readonly(
-          "points", [](const Loop& self) -> Rows3 { return self.points.transpose(); },
+          "points", [](const Loop& self) -> const Rows3 { return self.points.transpose(); },
           "(K, 3) corners in order [m]; the last connects to the first.")
       .def_property_readonly(
           "vertices", [](const Loop& self) { return self.vertices; },
@@ -804,7 +806,8 @@ void bind_linking(py::module_& m) {
       .def_readonly("linking_number", &VirtualLinking::linking_number,
                     "Linking number of the loop and the curve closed by its chord.")
       .def_property_readonly(
-          "gradient", [](const VirtualLinking& self) -> Rows3 { return self.gradient.transpose(); },
+          "gradient",
+          [](const VirtualLinking& self) -> const Rows3 { return self.gradient.transpose(); },
           "(K, 3) gradient with respect to the corners of the curve [1/m].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"value", "linking_number"});
@@ -817,7 +820,8 @@ void bind_linking(py::module_& m) {
            "loop: a Loop, or its corners (K, 3) [m].\n\nRaises ValueError if it has fewer than 3 "
            "corners or is not finite.")
       .def_property_readonly(
-          "points", [](const PreparedLoop& self) -> Rows3 { return self.points().transpose(); },
+          "points",
+          [](const PreparedLoop& self) -> const Rows3 { return self.points().transpose(); },
           "(K, 3) corners [m].")
       .def(
           "gauss_linking",

@@ -68,7 +68,7 @@ template <class Struct, class Vector>
 void bind_vector(py::class_<Struct>& cls, const char* name, Vector Struct::*member,
                  const char* doc) {
   cls.def_property(
-      name, [member](const Struct& self) -> Vector { return self.*member; },
+      name, [member](const Struct& self) -> const Vector { return self.*member; },
       [member, name](Struct& self, const Array& values) {
         self.*member = to_vector(values, name, Vector::RowsAtCompileTime);
       },
@@ -210,7 +210,7 @@ void bind_contact_set(py::module_& m) {
   bind_vector(set, "known_wrench_O", &ContactSet::known_wrench_O,
               "(6,) known wrench Q_known in O about the centre of mass [N, N m].");
   set.def_property(
-      "wrench_scale", [](const ContactSet& self) -> Matrix6Rows { return self.wrench_scale; },
+      "wrench_scale", [](const ContactSet& self) -> const Matrix6Rows { return self.wrench_scale; },
       [](ContactSet& self, const Array& scale) {
         self.wrench_scale = to_matrix(scale, "wrench_scale", 6, 6);
       },
@@ -414,7 +414,7 @@ void bind_patches(py::module_& m) {
       "    The object stands still. Every contact then sticks, and the twist only determines the\n"
       "    directions of the cones.");
   state.def_property(
-      "X_WO", [](const BodyState& self) { return from_pose(self.X_WO); },
+      "X_WO", [](const BodyState& self) -> const Pose { return from_pose(self.X_WO); },
       [](BodyState& self, const Array& X) { self.X_WO = to_pose(X, "X_WO"); },
       "(4, 4) pose in the world.");
   bind_vector(state, "twist_W", &BodyState::twist_W,
@@ -671,11 +671,11 @@ void bind_equilibrium(py::module_& m) {
            "    An array has another shape.")
       .def_property_readonly(
           "contact_forces_O",
-          [](const Equilibrium& self) -> Rows3 { return self.contact_forces_O.transpose(); },
+          [](const Equilibrium& self) -> const Rows3 { return self.contact_forces_O.transpose(); },
           "(m, 3) force on the object at each contact, in O [N].")
       .def_property_readonly(
           "finger_forces_O",
-          [](const Equilibrium& self) -> Rows3 { return self.finger_forces_O.transpose(); },
+          [](const Equilibrium& self) -> const Rows3 { return self.finger_forces_O.transpose(); },
           "(n, 3) force on the object at each finger, in O [N].")
       .def_readonly("margin", &Equilibrium::margin,
                     "Largest t such that all cone coefficients are at least t, and fingers in "

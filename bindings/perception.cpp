@@ -39,7 +39,7 @@ void bind_camera(py::module_& m) {
       .def_readonly("width", &Camera::width, "Number of columns.")
       .def_readonly("height", &Camera::height, "Number of rows.")
       .def_property_readonly(
-          "K", [](const Camera& self) -> Eigen::Matrix3d { return self.K; },
+          "K", [](const Camera& self) -> const Eigen::Matrix3d { return self.K; },
           "(3, 3) camera matrix [pixels].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"width", "height", "K"});
@@ -55,7 +55,7 @@ void bind_rendering(py::module_& m) {
            "shapes: PlacedShapes in the body's frame B. X_WB: (4, 4) pose in the world.")
       .def_readonly("shapes", &Body::shapes, "PlacedShapes in the body's frame B.")
       .def_property_readonly(
-          "X_WB", [](const Body& self) { return from_pose(self.X_WB); },
+          "X_WB", [](const Body& self) -> const Pose { return from_pose(self.X_WB); },
           "(4, 4) pose in the world.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shapes", "X_WB"});
@@ -130,13 +130,13 @@ void bind_view(py::module_& m) {
            "camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z "
            "forward.")
       .def_property_readonly(
-          "depth", [](const View& self) -> DepthImage { return self.depth; },
+          "depth", [](const View& self) -> const DepthImage { return self.depth; },
           "(H, W) depths [m], float32.")
       .def_property_readonly(
-          "K", [](const View& self) -> Eigen::Matrix3d { return self.K; },
+          "K", [](const View& self) -> const Eigen::Matrix3d { return self.K; },
           "(3, 3) camera matrix [pixels].")
       .def_property_readonly(
-          "X_WC", [](const View& self) { return from_pose(self.X_WC); },
+          "X_WC", [](const View& self) -> const Pose { return from_pose(self.X_WC); },
           "(4, 4) pose of the optical frame in the world.")
       .def("__repr__", [](const View& self) {
         return "<View of " + std::to_string(self.depth.cols()) + " x " +
@@ -186,7 +186,7 @@ void bind_support(py::module_& m) {
           },
           "Label of each edge: edge i runs from corner i to the next.")
       .def_property_readonly(
-          "X_WS", [](const Support& self) { return from_pose(self.X_WS); },
+          "X_WS", [](const Support& self) -> const Pose { return from_pose(self.X_WS); },
           "(4, 4) pose in the world.")
       .def_readonly("height_error", &Support::height_error,
                     "Standard error of the plane's height at its centre [m].")
@@ -237,7 +237,7 @@ void bind_seen_object(py::module_& m) {
           "outline", [](const Object& self) { return from_ring(self.outline); },
           "(N, 2) corners of the projection of what was seen onto the support, in O [m].")
       .def_property_readonly(
-          "X_WO", [](const Object& self) { return from_pose(self.X_WO); },
+          "X_WO", [](const Object& self) -> const Pose { return from_pose(self.X_WO); },
           "(4, 4) pose in the world.")
       .def_readonly("thickness", &Object::thickness, "Height of the top above the support [m].")
       .def_readonly("thickness_error", &Object::thickness_error,
@@ -248,7 +248,7 @@ void bind_seen_object(py::module_& m) {
                     "Standard error of the outline's position along the support [m].")
       .def_readonly("yaw_error", &Object::yaw_error, "Standard error of the direction of x [rad].")
       .def_property_readonly(
-          "points", [](const Object& self) -> Rows3 { return self.points.transpose(); },
+          "points", [](const Object& self) -> const Rows3 { return self.points.transpose(); },
           "(N, 3) points of all pixels of the object, in O [m].")
       .def_property_readonly(
           "rays",
@@ -279,7 +279,8 @@ void bind_seen_object(py::module_& m) {
       .def_readonly("behind", &Unseen::behind,
                     "Name of the object that hides it; empty: a patch without depth.")
       .def_property_readonly(
-          "vertices", [](const Unseen& self) -> Rows3 { return self.shape.vertices.transpose(); },
+          "vertices",
+          [](const Unseen& self) -> const Rows3 { return self.shape.vertices.transpose(); },
           "(N, 3) corners of a convex hull in the world [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"behind"}); });
 }

@@ -31,11 +31,11 @@ void bind_plan(py::module_& m) {
               "Largest mass that the pads hold [kg]; None if nobody knows the force of the hand."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def_property(
-          "X_WH_grasp", [](const Plan& self) { return from_pose(self.X_WH_grasp); },
+          "X_WH_grasp", [](const Plan& self) -> const Pose { return from_pose(self.X_WH_grasp); },
           [](Plan& self, const Array& X) { self.X_WH_grasp = to_pose(X, "X_WH_grasp"); },
           "(4, 4) pose of the grasp frame H in the world at the pinch.")
       .def_property(
-          "contacts_O", [](const Plan& self) -> Rows3 { return self.contacts_O.transpose(); },
+          "contacts_O", [](const Plan& self) -> const Rows3 { return self.contacts_O.transpose(); },
           [](Plan& self, const Array& p) {
             self.contacts_O = p.size() == 0 ? Eigen::Matrix3Xd(3, 0) : to_points3(p, "contacts_O");
           },

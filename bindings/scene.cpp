@@ -103,7 +103,7 @@ void bind_queries(py::class_<Scene>& cls) {
           "Returns the names of the first pair that touches at q, (dof,), or None. Joint limits "
           "are not checked.")
       .def_property_readonly(
-          "poses", [](const Scene& self) { return from_poses(self.poses()); },
+          "poses", [](const Scene& self) { return shown_poses(self.poses()); },
           "(num_frames, 4, 4) link poses in the world at the configuration checked last.");
 }
 

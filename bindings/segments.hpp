@@ -34,13 +34,13 @@ void bind_motion_segment(pybind11::module_& m, const char* names) {
       .def_readonly("name", &Segment::name, names)
       .def_property_readonly(
           "positions",
-          [](const Segment& self) {
+          [](const Segment& self) -> const Rows {
             return from_configurations(self.positions,
                                        self.positions.empty() ? 0 : self.positions.front().size());
           },
           "(N, dof) all joints [rad or m].")
       .def_property_readonly(
-          "object_poses", [](const Segment& self) { return from_poses(self.object_poses); },
+          "object_poses", [](const Segment& self) { return shown_poses(self.object_poses); },
           "(N, 4, 4) pose of the object in the world at each row.")
       .def(
           "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")

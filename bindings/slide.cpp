@@ -71,7 +71,7 @@ void bind_object(py::module_& m) {
           "on a line, or if the object is not thin.")
       .def_property_readonly("name", &Object::name, "Name in errors and pictures.")
       .def_property_readonly(
-          "points", [](const Object& self) -> Rows2 { return self.points().transpose(); },
+          "points", [](const Object& self) -> const Rows2 { return self.points().transpose(); },
           "(N, 2) contact points, x-y in O [m].")
       .def_property_readonly(
           "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
@@ -84,7 +84,7 @@ void bind_object(py::module_& m) {
           "Height of the face on which a finger presses [m]: the thickness of a prism, or that of "
           "the level part of the heights that has the most points.")
       .def_property_readonly(
-          "com", [](const Object& self) -> Eigen::Vector3d { return self.com(); },
+          "com", [](const Object& self) -> const Eigen::Vector3d { return self.com(); },
           "(3,) centre of mass in O [m].")
       .def_property_readonly("mass", &Object::mass, "Mass [kg]; 0.05 by default.")
       .def_property_readonly(
@@ -157,7 +157,7 @@ void bind_support(py::module_& m) {
           "goal_band", [](const Support& self) { return self.goal_band(); },
           "Band of the polygon where slides may end, in S: P_g of the paper.")
       .def_property_readonly(
-          "X_WS", [](const Support& self) { return from_pose(self.X_WS()); },
+          "X_WS", [](const Support& self) -> const Pose { return from_pose(self.X_WS()); },
           "(4, 4) pose in the world.")
       .def_property_readonly("slab", &Support::slab, "Thickness of the table top [m].")
       .def_property_readonly("friction", &Support::friction,
@@ -224,16 +224,18 @@ void bind_problem(py::module_& m) {
           "support", [](const Problem& self) { return self.support; },
           "Surface that the object lies on.")
       .def_property_readonly(
-          "X_WO_start", [](const Problem& self) { return from_pose(self.X_WO_start); },
+          "X_WO_start",
+          [](const Problem& self) -> const Pose { return from_pose(self.X_WO_start); },
           "(4, 4) pose of the object in the world.")
       .def_property_readonly(
           "X_WO_end",
-          [](const Problem& self) {
-            return self.X_WO_end ? std::optional(from_pose(*self.X_WO_end)) : std::nullopt;
+          [](const Problem& self) -> std::optional<const Pose> {
+            if (!self.X_WO_end) return std::nullopt;
+            return from_pose(*self.X_WO_end);
           },
           "(4, 4) pose in the world at which the object is left; None: it is grasped.")
       .def_property_readonly(
-          "q_home", [](const Problem& self) -> Eigen::VectorXd { return self.q_home; },
+          "q_home", [](const Problem& self) -> const Eigen::VectorXd { return self.q_home; },
           "(dof,) configuration at the start [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles,
                     "Bodies that neither the arm nor the sliding object may touch.")
@@ -300,15 +302,16 @@ void bind_interruption(py::module_& m) {
            "q: (dof,) commanded joints [rad or m]. X_WO: (4, 4) measured pose of the object in the "
            "world. X_WO_goal: (4, 4) pose at the goal of the plan that was interrupted.")
       .def_property_readonly(
-          "q", [](const Interruption& self) -> Eigen::VectorXd { return self.q; },
+          "q", [](const Interruption& self) -> const Eigen::VectorXd { return self.q; },
           "(dof,) commanded joints [rad or m].")
       .def_property_readonly(
-          "X_WO", [](const Interruption& self) { return from_pose(self.X_WO); },
+          "X_WO", [](const Interruption& self) -> const Pose { return from_pose(self.X_WO); },
           "(4, 4) measured pose of the object in the world.")
       .def_property_readonly(
           "X_WO_goal",
-          [](const Interruption& self) {
-            return self.X_WO_goal ? std::optional(from_pose(*self.X_WO_goal)) : std::nullopt;
+          [](const Interruption& self) -> std::optional<const Pose> {
+            if (!self.X_WO_goal) return std::nullopt;
+            return from_pose(*self.X_WO_goal);
           },
           "(4, 4) pose of the object at the goal of the plan that was interrupted, or None.")
       .def("__repr__", [](const py::object& self) {
@@ -400,11 +403,11 @@ void bind_plan(py::module_& m) {
   field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
   field(Field{"statistics", &Plan::statistics, "Counters of the search."});
   plan.def_property(
-          "X_WO_goal", [](const Plan& self) { return from_pose(self.X_WO_goal); },
+          "X_WO_goal", [](const Plan& self) -> const Pose { return from_pose(self.X_WO_goal); },
           [](Plan& self, const Array& X) { self.X_WO_goal = to_pose(X, "X_WO_goal"); },
           "(4, 4) pose of the object in the world after the slide.")
       .def_property(
-          "X_WH_grasp", [](const Plan& self) { return from_pose(self.X_WH_grasp); },
+          "X_WH_grasp", [](const Plan& self) -> const Pose { return from_pose(self.X_WH_grasp); },
           [](Plan& self, const Array& X) { self.X_WH_grasp = to_pose(X, "X_WH_grasp"); },
           "(4, 4) pose of the grasp frame H in the world at the grasp; the identity for a problem "
           "with "

@@ -135,6 +135,30 @@ def test_plans_and_repeats(card_problem):
         np.testing.assert_array_equal(a.object_poses, b.object_poses)
 
 
+def test_arrays_that_are_copies_cannot_be_changed(card_problem):
+    """Else the change would be lost without a word."""
+    segment = Segment("slide", np.ones((3, 8)), np.tile(np.eye(4), (3, 1, 1)))
+    ended = Problem(
+        card_problem.robot, Hand(), card_problem.object, card_problem.support,
+        card_problem.X_WO_start, card_problem.q_home, X_WO_end=np.eye(4),
+    )  # fmt: skip
+    support = card_problem.support
+    arrays = [segment.positions, segment.object_poses, ended.X_WO_start, ended.X_WO_end]
+    arrays += [
+        ended.q_home,
+        ended.object.com,
+        support.X_WS,
+        support.polygon.vertices,
+        Plan().X_WO_goal,
+    ]
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[:] = 0
+    positions = segment.positions.copy()
+    positions[0] = 2
+    assert Segment("slide", positions, segment.object_poses).positions[0, 0] == 2
+
+
 def test_a_plan_of_other_motions_does_not_hold(card_problem):
     plan = slide.plan(card_problem, budget=Budget(seconds=20))
     plan.segments = plan.segments[::-1]
