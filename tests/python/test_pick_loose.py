@@ -211,7 +211,12 @@ def test_the_check_sees_what_the_hanging_object_touches(plan):
     X_FO = np.linalg.inv(place.object.X_WB) @ place.X_WO_hanging
     rows = np.asarray(transfer.object_poses)
     row = len(rows) - 1  # where it begins to be lowered
-    corners = np.array([[x, y, 0] for x in (-0.11, 0.11) for y in (-0.04, 0.04)])
+    corners = np.concatenate(
+        [
+            frames.transform(part.X_BG, np.asarray(part.shape.vertices))
+            for part in place.object.shapes
+        ]
+    )
     held, hung = (
         np.concatenate([corners @ X[:3, :3].T + X[:3, 3] for X in poses])
         for poses in (rows, [rows[row] @ X_FO])

@@ -23,6 +23,7 @@ const double kCosTurned = std::cos(kTurned);
 constexpr double kCellSigmas = 4;    // of a cell's centre
 constexpr double kUneven = 1e-3;     // distance of a centre from the plane that is always allowed
 constexpr double kDistorted = 1e-3;  // the same, per metre of depth
+constexpr double kRough = 1.2;       // times what is expected, and what is usual in the plane
 
 double allowed(const Cell& cell) {
   return kCellSigmas * cell.deviation + kUneven + kDistorted * cell.depth;
@@ -53,24 +54,34 @@ std::optional<Plane> through(const Cell& a, const Cell& b, const Cell& c) {
   return plane;
 }
 
-/// Fits a plane to the cells that lie in it, by weighted least squares.
+double median_roughness(const std::vector<Cell>& cells) {
+  std::vector<double> roughness;
+  for (const Cell& cell : cells) roughness.push_back(cell.roughness);
+  return geometry::median(roughness);
+}
+
+/// Fits a plane to the cells that lie in it, by weighted least squares. Cells that are rougher than
+/// noise makes them hold the edge of something, which would tilt the plane: they have no weight.
 void refit(Plane& plane, const std::vector<Cell>& cells) {
-  double weights = 0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   plane.cells.clear();
   for (const Cell& cell : cells) {
-    if (!lies_in(cell, plane)) continue;
-    const double w = 1 / (cell.deviation * cell.deviation);
-    weights += w;
-    mean += w * cell.p_W;
-    plane.cells.push_back(cell);
+    if (lies_in(cell, plane)) plane.cells.push_back(cell);
   }
   if (plane.cells.size() < 3) return;
+  const double roughest = kRough * std::max(1.0, median_roughness(plane.cells));
+  const auto weight = [roughest](const Cell& cell) {
+    return cell.roughness > roughest ? 0 : 1 / (cell.deviation * cell.deviation);
+  };
+  double weights = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Cell& cell : plane.cells) {
+    weights += weight(cell);
+    mean += weight(cell) * cell.p_W;
+  }
   mean /= weights;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Cell& cell : plane.cells) {
-    const double w = 1 / (cell.deviation * cell.deviation);
-    spread += w * (cell.p_W - mean) * (cell.p_W - mean).transpose();
+    spread += weight(cell) * (cell.p_W - mean) * (cell.p_W - mean).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
   const Eigen::Vector3d n = axes.eigenvectors().col(0);
@@ -131,15 +142,14 @@ std::optional<Plane> best_plane(const std::vector<Cell>& cells, std::uint64_t se
 /// Areas and noise count one view only where several see the same place. Returns the area in all
 /// views.
 double measure_plane(Plane& plane) {
-  std::vector<double> of_view, roughness;
+  std::vector<double> of_view;
   for (const Cell& cell : plane.cells) {
     of_view.resize(std::max(of_view.size(), static_cast<std::size_t>(cell.view) + 1));
     of_view[static_cast<std::size_t>(cell.view)] += cell.area;
-    roughness.push_back(cell.roughness);
   }
   plane.area = of_view.empty() ? 0 : *std::max_element(of_view.begin(), of_view.end());
-  if (roughness.empty()) return 0;
-  plane.noise_scale = geometry::median(roughness);
+  if (plane.cells.empty()) return 0;
+  plane.noise_scale = median_roughness(plane.cells);
   return std::accumulate(of_view.begin(), of_view.end(), 0.0);
 }
 

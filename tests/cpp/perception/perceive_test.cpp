@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -158,7 +159,8 @@ TEST(Perceive, CornersOfATableAreWhereItsEdgesMeet) {
   }
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.003);
-  EXPECT_LT(errors.back(), 0.007);
+  EXPECT_LT(errors[errors.size() * 9 / 10], 0.005);
+  EXPECT_LT(errors.back(), 0.009);  // 8.1 mm among 240 corners
 }
 
 TEST(Perceive, AWallBehindATableIsNoPartOfIt) {
@@ -170,8 +172,45 @@ TEST(Perceive, AWallBehindATableIsNoPartOfIt) {
   EXPECT_NEAR(support->polygon.area(), 0.7 * 0.6, 0.02);
   auto lengths = lengths_of(*support);
   EXPECT_NEAR(lengths[EdgeLabel::real], 2, 0.1);
-  EXPECT_NEAR(lengths[EdgeLabel::occluded], 0.6, 0.1);
+  // A piece of the wall as long as a strip is wide stays on either side: 0.68 to 0.74 m with
+  // eight seeds.
+  EXPECT_NEAR(lengths[EdgeLabel::occluded], 0.7, 0.05);
   expect_real_edges_are_true(*support, 0.015);
+}
+
+// Squares of a coarse image that hold the edges of boxes would tilt the plane by up to 2 mrad, and
+// the middle of the table would be below it: 8 false edges.
+TEST(Perceive, BoxesOnATableDoNotTiltItInACoarseImage) {
+  const Camera coarse = camera_with_view(424, 240, 1.5);
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    std::mt19937_64 rng(seed);
+    const auto draw = [&rng](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(rng);
+    };
+    std::vector<Body> bodies{floor(), box_at({1.2, 0.9, 0.04}, {0, 0, 0.38})};
+    for (int i = 0; i < 8; ++i) {
+      const double height = draw(0.01, 0.1);
+      bodies.push_back(box_at({draw(0.05, 0.25), draw(0.05, 0.2), height},
+                              {draw(-0.4, 0.4), draw(-0.3, 0.3), 0.4 + height / 2}));
+    }
+    const Eigen::Isometry3d X_WC = look_at({-1.1, 0.2, 1.4}, {0, 0, 0.4});
+    const View clean{render(bodies, X_WC, coarse).depth, coarse.K, X_WC};
+    const Support* support = nullptr;
+    const Scene scene = perceive({with_noise(clean, 1, seed)});
+    for (const Support& other : scene.supports) {
+      if (std::abs(other.X_WS.translation().z() - 0.4) > 0.02) continue;
+      if (!support || other.polygon.area() > support->polygon.area()) support = &other;
+    }
+    ASSERT_NE(support, nullptr);
+    EXPECT_LT(std::acos(support->X_WS.linear()(2, 2)), 1.5e-3);
+    const Eigen::Matrix2Xd& corners = support->polygon.vertices();
+    for (Eigen::Index i = 0; i < corners.cols(); ++i) {
+      if (support->edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
+      const Eigen::Vector2d middle = (corners.col(i) + corners.col((i + 1) % corners.cols())) / 2;
+      const Eigen::Vector3d p = support->X_WS * Eigen::Vector3d(middle.x(), middle.y(), 0);
+      EXPECT_GT(std::max(std::abs(p.x()) / 0.6, std::abs(p.y()) / 0.45), 0.93) << seed;
+    }
+  }
 }
 
 TEST(Perceive, ANarrowPieceOfTheFloorIsNoSupport) {
