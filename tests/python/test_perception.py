@@ -128,8 +128,11 @@ def test_a_plain_cloud_and_its_viewpoint_give_the_scene():
     assert found.objects[1].thickness == pytest.approx(0.1, abs=0.003)
     with pytest.raises(ValueError, match="viewpoint .* is among the points"):
         perception.view_of_cloud(cloud, cloud.mean(axis=0))
-    with pytest.raises(ValueError, match="not finite"):
-        perception.view_of_cloud(np.full((200, 3), np.nan), [0, 0, 1])
+    missing = np.full((200, 3), np.nan)
+    with_missing = perception.view_of_cloud(np.vstack([missing, cloud]), X_WC[:3, 3])
+    assert np.array_equal(with_missing.depth, view.depth)
+    with pytest.raises(ValueError, match="only 0 points that are finite; 100 are needed"):
+        perception.view_of_cloud(missing, [0, 0, 1])
 
 
 def test_the_noise_of_a_cloud_does_not_lift_its_table():

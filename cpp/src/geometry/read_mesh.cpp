@@ -121,8 +121,10 @@ std::string text_of(const std::string& path) {
 /// True of a .stl file that states that it has no triangle. CGAL finds none in any other text.
 bool is_empty_stl(const std::string& path) {
   constexpr std::size_t kHeader = 84;  // of a binary file, with the number of triangles [bytes]
-  return file_size == 0 || file_size == kHeader ||
-         text_of(path).find("endsolid") != std::string::npos;
+  if (file_size == 0 || file_size == kHeader) return true;
+  const std::string text = text_of(path);
+  const auto has = [&text](const char* word) { return text.find(word) != std::string::npos; };
+  return has("endsolid") && !has("vertex");
 }
 
 PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) {

@@ -120,21 +120,22 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
     Parameters
     ----------
     points : array [N, 3]
-        Points in the world [m].
+        Points in the world [m]. Those that are not finite are no measurements.
     viewpoint : array [3]
         Position of the camera in the world [m]. Without it nobody knows what the points hide.
 
     Raises
     ------
     ValueError
-        There are fewer than 100 points, one is not finite, or they surround the viewpoint or fill
-        hardly any of its view.
+        There are fewer than 100 points, or they surround the viewpoint or fill hardly any of its
+        view.
     """
     cloud, eye = np.asarray(points, dtype=float), np.asarray(viewpoint, dtype=float)
     if cloud.ndim != 2 or cloud.shape[1] != 3 or len(cloud) < 100:
         raise ValueError(f"points has shape {cloud.shape}; it must have shape (N, 3), N >= 100")
-    if not np.isfinite(cloud).all():
-        raise ValueError("points has values that are not finite")
+    cloud = cloud[np.isfinite(cloud).all(axis=1)]
+    if len(cloud) < 100:
+        raise ValueError(f"points has only {len(cloud)} points that are finite; 100 are needed")
     if eye.shape != (3,) or not np.isfinite(eye).all():
         raise ValueError(f"viewpoint is {eye}; it must be three finite coordinates [m]")
     for name, values in (("points", cloud), ("viewpoint", eye)):
@@ -147,7 +148,8 @@ def view_of_cloud(points: ArrayLike, viewpoint: ArrayLike) -> View:
     slopes = np.abs(p_CP[:, :2] / np.maximum(p_CP[:, 2:], 1e-9)).max(axis=0)
     if p_CP[:, 2].min() <= 0 or slopes.max() > math.tan(_WIDEST / 2):
         raise ValueError(
-            f"viewpoint {eye} is among the points; they must lie within 60 degrees of one direction"
+            f"viewpoint {eye} is among the points; they must lie within 60 degrees of one "
+            "direction from it. Both must be in metres, in the same frame"
         )
     angles = 2 * np.arctan(slopes * 1.02)
     if angles.min() < _NARROWEST:

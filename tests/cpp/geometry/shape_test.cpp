@@ -278,7 +278,10 @@ TEST_F(ReadMesh, TellsAnEmptyStlFromADamagedOne) {
   for (const std::string& text : {std::string(), ascii_stl(none), binary_stl(none, "binary")})
     EXPECT_NE(error_of_file(write("empty.stl", text)).find("is empty: it has no triangle"),
               std::string::npos);
-  for (const std::string text : {"this is not a mesh", "solid of a CAD that was cut short"})
+  for (const std::string text :
+       {"this is not a mesh", "solid of a CAD that was cut short",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+        "endloop\nendfacet\nendsolid a\n"})
     EXPECT_NE(error_of_file(write("text.stl", text)).find("it is damaged, or its format"),
               std::string::npos);
 }
