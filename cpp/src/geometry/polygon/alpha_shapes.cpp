@@ -10,6 +10,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/disjoint_sets.hpp"
 #include "geometry/quantile.hpp"
 
 namespace graspless::geometry::alpha {
@@ -66,6 +67,21 @@ double AlphaShapes::median_spacing() const {
     }
   }
   return median(nearest);
+}
+
+// The shortest steps that join all points are edges of the Delaunay triangulation.
+int AlphaShapes::count_strays(double longest) const {
+  const int count = static_cast<int>(delaunay_.number_of_vertices());
+  DisjointSets groups(count);
+  for (const auto& [face, i] : delaunay_.finite_edges()) {
+    poll();
+    const auto a = face->vertex(Delaunay::ccw(i)), b = face->vertex(Delaunay::cw(i));
+    if (CGAL::squared_distance(a->point(), b->point()) <= longest * longest)
+      groups.join(a->info(), b->info());
+  }
+  int largest = 0;
+  for (int i = 0; i < count; ++i) largest = std::max(largest, groups.size(i));
+  return count - largest;
 }
 
 std::vector<Loop> AlphaShapes::loops(double alpha) const {

@@ -51,6 +51,10 @@ class AlphaShapes {
   /// Median distance of a point to its nearest neighbour [m].
   double median_spacing() const;
 
+  /// Number of points that steps of at most `longest` from point to point do not join with most of
+  /// the others [m].
+  int count_strays(double longest) const;
+
   /// Boundaries of the shape, with the interior on the left. Where the shape touches itself at a
   /// point, the part outside decides which edges follow each other: a hole that touches the outer
   /// boundary has a loop of its own.

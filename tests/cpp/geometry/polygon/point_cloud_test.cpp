@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "complaint.hpp"
 #include "geometry/polygons.hpp"
 
 namespace graspless::geometry {
@@ -106,9 +107,17 @@ TEST(Outline, OfATurnedGridIsThatOfTheGrid) {
 
 TEST(Outline, RefusesStrayPoints) {
   const Eigen::Matrix2Xd points = sample_grid(square(0.1), 0.005);
-  Eigen::Matrix2Xd stray(2, points.cols() + 1);
-  stray << points, Eigen::Vector2d(0.35, 0.2);
-  EXPECT_THROW(outline(stray), std::invalid_argument);
+  const double spacing = points(1, 1) - points(1, 0), corner = points.maxCoeff();
+  const auto beside = [&](int count, double spacings) {
+    Eigen::Matrix2Xd all(2, points.cols() + count);
+    all << points, Eigen::Vector2d(corner + spacings * spacing, 0).replicate(1, count);
+    for (int i = 0; i < count; ++i) all(1, points.cols() + i) = i * spacing;
+    return all;
+  };
+  expect_refused([&] { outline(beside(1, 7)); }, "points have 1 stray point, more");
+  expect_refused([&] { outline(beside(3, 30)); }, "have 3 stray points, more than");
+  expect_refused([&] { outline(beside(20, 30)); }, "points are not one piece");
+  EXPECT_GT(outline(beside(1, 5)).area(), outline(points).area());
 }
 
 TEST(SampleGrid, LiesInsideAndIsNeverEmpty) {
