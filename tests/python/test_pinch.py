@@ -3,6 +3,7 @@
 """Pinches: task file, plan file, check, timing, simulation and chains."""
 
 import copy
+import itertools
 import re
 import warnings
 
@@ -252,6 +253,29 @@ def test_a_jaw_that_does_not_move_comes_aside_of_the_object(tmp_path, yaw):
     assert graspless.check(near) == []
     faults = pinch.check(near.task.problem, near, pinch.Options())
     assert any("a finger passes at" in fault for fault in faults)
+
+
+@pytest.mark.parametrize("width", [0.01, 0.03, 0.04])
+def test_a_jaw_that_turns_holds_by_its_face_with_the_force_that_check_finds(tmp_path, width):
+    """Its face is not parallel to the other one, and its end reaches further out."""
+    corners = itertools.product((-0.5, 0.5), repeat=3)
+    faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {face}" for face in faces]
+    (tmp_path / "cube.obj").write_text("\n".join(lines))
+    cube = rf'<mesh filename="{tmp_path}/cube.obj" scale="\1"/>'
+    jaws = re.sub(r'<box size="(.*?)"/>', cube, small.one_jaw()).replace("50", "5")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what the URDF does not say
+        robot.inspect(robot.Robot.from_urdf(small.gripper("jaw", jaws))).write(tmp_path)
+    task = changed(
+        robot__urdf=str(tmp_path / "jaw.urdf"),
+        object__rectangle={"size": [0.12, width]},
+        object__pose={"x": 0.45, "y": 0.05, "yaw": 0.3},
+    )
+    found = graspless.plan(task, seed=1)
+    assert found, found.reason
+    assert found.max_mass > 0
+    assert graspless.check(found) == []
 
 
 def with_effort(folder, effort):

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "robot/names.hpp"
+#include "robot/rates.hpp"
 
 namespace graspless::pinch {
 
@@ -203,18 +204,38 @@ std::array<Eigen::AlignedBox3d, 2> Jaw::open_fingers() const {
   return boxes;
 }
 
+Eigen::VectorXd Jaw::contact_rates(const Grip& grip) const {
+  const robot::Robot& robot = problem_.robot;
+  robot::Poses X_WL;
+  robot.forward(grip.q, X_WL);
+  const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(robot.frame(problem_.hand.grasp_frame))];
+  const auto closing = [&](const LinkShapes& face, const Vector3d& inward_H) {
+    const auto reach = [&](const robot::LinkShape& shape) {
+      return Shapes(problem_, {shape}, grip.q).extent(inward_H);
+    };
+    const auto foremost =
+        std::max_element(face.begin(), face.end(),
+                         [&](const auto& a, const auto& b) { return reach(a) < reach(b); });
+    return robot::rates(robot, foremost->link, X_WL,
+                        X_WH * Vector3d(grip.contact_H - grip.gap / 2 * inward_H),
+                        X_WH.linear() * inward_H);
+  };
+  const Vector3d inward = -side_ * Vector3d::UnitY();
+  return -(closing(own_face_, inward) + closing(other_face_, -inward)).transpose();
+}
+
 Eigen::VectorXd Jaw::gap_rates(double closing) const {
   constexpr double kTurn = 1e-4;
-  Eigen::VectorXd rates = Eigen::VectorXd::Ones(q_open_.size());
-  for (const int joint : problem_.robot.group(problem_.hand.arm)) rates[joint] = 0;
   const Grip here = closed_by(closing);
+  Eigen::VectorXd rates = contact_rates(here).cwiseAbs();
+  for (const int joint : problem_.robot.group(problem_.hand.arm)) rates[joint] = -1;
   for (Eigen::Index j = 0; j < rates.size(); ++j) {
-    if (rates[j] == 0) continue;
+    if (rates[j] < 0) continue;
     Eigen::VectorXd q = here.q;
     q[j] += kTurn;
-    rates[j] = (gap(q) - here.gap) / kTurn;
+    rates[j] = std::max(rates[j], std::abs(gap(q) - here.gap) / kTurn);
   }
-  return rates;
+  return rates.cwiseMax(0);
 }
 
 std::vector<Shapes> Jaw::fingers(const std::vector<Grip>& grips) const {

@@ -68,13 +68,16 @@ class Jaw {
   std::array<Eigen::AlignedBox3d, 2> open_fingers() const;
   /// The fingers of the hand that comes to the object, and at some grips.
   std::vector<Shapes> fingers(const std::vector<Grip>& grips) const;
-  /// By how much the fingers come apart per unit of each joint of the hand, when it has closed by a
-  /// share from 0 to 1 [m/rad or 1]. 0 for joints of the arm.
+  /// By how much the fingers move apart or together per unit of each joint of the hand, when it has
+  /// closed by a share from 0 to 1 [m/rad or 1]: at their outermost points or at the contacts,
+  /// whichever move more. They differ if the faces are not parallel. 0 for joints of the arm.
   Eigen::VectorXd gap_rates(double closing) const;
   /// Distance between the fingers of the hand that has closed by a share from 0 to 1 [m].
   double gap_at(double closing) const { return closed_by(closing).gap; }
 
  private:
+  /// Rates of the distance between the contacts, by all joints [m/rad or 1].
+  Eigen::VectorXd contact_rates(const Grip& grip) const;
   Grip closed_by(double closing) const { return at(q_open_ + closing * (q_closed_ - q_open_)); }
 
   const slide::Problem& problem_;

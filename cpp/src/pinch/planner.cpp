@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kGraspStep = 0.01;    // between waypoints of the straight motion [m]
 constexpr double kUneven = 0.003;      // gap left at one finger when the other touches [m]
+constexpr double kPast = 0.002;        // by which faces that turn may pass those of the object [m]
 constexpr std::size_t kSolutions = 4;  // of inverse kinematics, for each hand pose
 constexpr std::size_t kSearched = 4;   // poses to which a tree is grown
 constexpr int kIterations = 400;       // of each
@@ -133,9 +134,14 @@ class Search {
       refuse(a.empty() ? "closing: nothing touches" : "closing: " + a + " touches " + b);
       return std::nullopt;
     }
-    if (jaw_.gap(closing.rows.back()) > grasp.faces.width + kUneven) {
+    const Grip end = jaw_.at(closing.rows.back());
+    if (end.gap > grasp.faces.width + kUneven) {
       refuse("closing: one finger touches before the other");
       is_uneven = true;
+      return std::nullopt;
+    }
+    if (!is_by_faces(end, grasp.faces.width)) {
+      refuse("closing: another part of a finger touches than its face");
       return std::nullopt;
     }
     std::vector<Eigen::Isometry3d> outwards;
@@ -154,6 +160,17 @@ class Search {
       return std::nullopt;
     }
     return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};
+  }
+
+  /// True if fingers that have closed hold an object of some width by their faces, not by what is
+  /// beside these: jaws that turn reach over low objects.
+  bool is_by_faces(const Grip& end, double width) const {
+    const std::optional<Grip> meant = jaw_.at_width(width);
+    const auto& heights = problem_.object.heights();  // whose faces are staircases of cells
+    const double past = kPast + (heights ? 2 * heights->cell : 0);
+    return end.gap >= width - past &&
+           (!meant ||
+            std::abs(end.contact_H.x() - meant->contact_H.x()) <= problem_.hand.pad_width / 2);
   }
 
   bool add_approach(const Pinch& pinch, int iterations, Plan& plan) {

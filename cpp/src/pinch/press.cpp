@@ -22,7 +22,7 @@ Press::Press(const Problem& problem, const Options& options, const Jaw& jaw) {
     gaps_[k] = jaw.gap_at(closing);
     forces_[k] = options.grip_force.value_or(std::numeric_limits<double>::infinity());
     if (options.grip_force) continue;
-    const Eigen::VectorXd rates = jaw.gap_rates(closing).cwiseAbs();
+    const Eigen::VectorXd rates = jaw.gap_rates(closing);
     for (Eigen::Index j = 0; j < rates.size(); ++j) {
       if (rates[j] < kIdle) continue;
       forces_[k] = std::min(forces_[k], kGrip * limits[j] / rates[j]);
