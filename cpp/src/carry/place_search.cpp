@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graspless/planning/free_path.hpp"
 #include "graspless/watch.hpp"
@@ -21,9 +22,27 @@ using planning::Path;
 
 constexpr double kTurnPoint = 0.03;         // between their attitudes [rad]
 constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
-constexpr std::size_t kWithoutWay = 4;      // places to which a tree is grown
+constexpr std::size_t kWaysDown = 3;        // of these, from which the object is lowered
+constexpr std::size_t kWithoutWay = 6;      // such configurations to which a tree is grown
 constexpr int kTreeIterations = 1000;       // of each
-constexpr double kFarAway = -1000;          // height at which nothing is [m]
+constexpr int kTrees = 5;                   // to each of these
+constexpr double kShortWay = 2;     // of the object, relative to its distance from the start
+constexpr double kNear = 0.2;       // distances that count as this one [m]
+constexpr double kWayStep = 0.1;    // between the points that measure a way [rad]
+constexpr double kFarAway = -1000;  // height at which nothing is [m]
+
+/// Shortens the way of an object that is kept level. Few straight lines between the corners of a
+/// tree's path keep it so, but many between points that are nearer to each other.
+Path shortened(Path path, const planning::FreeSpace& space, std::mt19937_64& rng) {
+  constexpr int kPasses = 6, kRounds = 100;
+  constexpr double kPiece = 0.2;  // [rad]
+  const planning::Connect straight = [&](const VectorXd& a, const VectorXd& b) {
+    return space.is_motion_free(a, b) ? std::optional(Path{a, b}) : std::nullopt;
+  };
+  for (int i = 0; i < kPasses && !space.is_out(); ++i)
+    path = planning::shortcut(planning::subdivided(path, kPiece), straight, kRounds, rng);
+  return path;
+}
 
 robot::Ik without_whole_turns(const Problem& problem) {
   robot::Ik::Options options;
@@ -64,23 +83,61 @@ void PlaceSearch::run(Plan& plan) {
   for (; tried < places_.X_WO.size() && without_way.size() < kWithoutWay; ++tried) {
     if (!clock_.spend()) break;
     hold(options_.height);
+    std::size_t found = 0;
     for (const VectorXd& q : configurations(places_.X_WO[tried])) {
       hold(options_.height);
       std::optional<Putting> putting = put_at(static_cast<int>(tried), q);
       if (!putting) continue;
-      if (add_transfer(*putting, 0, plan)) return;
+      if (const auto direct = way_to(*putting, 0)) return assemble(*direct, *putting, plan);
       without_way.push_back(std::move(*putting));
-      break;
+      if (++found == kWaysDown) break;
     }
   }
-  for (const Putting& putting : without_way)
-    if (!clock_.is_out() && go_straight(putting.place, plan)) return;
-  for (const Putting& putting : without_way) {
-    if (clock_.is_out()) break;
-    if (add_transfer(putting, kTreeIterations, plan)) return;
-    refuse("no way from the start");
+  for (std::size_t i = 0; i < without_way.size() && !clock_.is_out(); ++i) {
+    const int place = without_way[i].place;
+    if (i > 0 && place == without_way[i - 1].place) continue;
+    if (go_straight(place, plan)) return;
   }
-  fail(tried, plan);
+  if (!go_around(without_way, plan)) fail(tried, plan);
+}
+
+/// Goes to one of some places by a tree. Of several ways, the one on which the object travels least
+/// is taken, unless one is short.
+bool PlaceSearch::go_around(const std::vector<Putting>& puttings, Plan& plan) {
+  Path best;
+  const Putting* to = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTrees && least > kShortWay && !clock_.is_out(); ++i) {
+    for (const Putting& putting : puttings) {
+      if (clock_.is_out() || least <= kShortWay) break;
+      std::optional<Path> way = way_to(putting, kTreeIterations);
+      if (!way) {
+        refuse("no way from the start");
+        continue;
+      }
+      const double detour = detour_of(*way);
+      if (detour >= least) continue;
+      least = detour;
+      best = std::move(*way);
+      to = &putting;
+    }
+    if (!to) break;  // a tree that fails was large
+  }
+  if (to) assemble(best, *to, plan);
+  return to != nullptr;
+}
+
+/// Length of the object's way along a path, relative to the distance between its ends.
+double PlaceSearch::detour_of(const Path& path) const {
+  const Vector3d start = object_at(path.front()).translation();
+  Vector3d last = start;
+  double length = 0;
+  for (const VectorXd& q : planning::subdivided(path, kWayStep)) {
+    const Vector3d p = object_at(q).translation();
+    length += (p - last).norm();
+    last = p;
+  }
+  return length / std::max((last - start).norm(), kNear);
 }
 
 /// Fixes the object to the hand. As it hangs, it may be lower than the support by `depth` [m].
@@ -189,7 +246,7 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
   return true;
 }
 
-bool PlaceSearch::add_transfer(const Putting& putting, int iterations, Plan& plan) {
+std::optional<Path> PlaceSearch::way_to(const Putting& putting, int iterations) {
   hold(0);
   const planning::Joints joints{ik_.group(), problem_.q_start};
   planning::FreeSpace space;
@@ -204,11 +261,10 @@ bool PlaceSearch::add_transfer(const Putting& putting, int iterations, Plan& pla
   space.is_out = [&] { return clock_.is_out(); };
   const auto arm = planning::find_free_path(space, joints.part(problem_.q_start),
                                             joints.part(putting.lower.front()), iterations, rng_);
-  if (!arm) return false;
-  Path transfer;
-  for (const VectorXd& at : *arm) transfer.push_back(joints.full(at));
-  assemble(transfer, putting, plan);
-  return true;
+  if (!arm) return std::nullopt;
+  Path way;
+  for (const VectorXd& at : shortened(*arm, space, rng_)) way.push_back(joints.full(at));
+  return way;
 }
 
 void PlaceSearch::assemble(const Path& transfer, const Putting& putting, Plan& plan) const {

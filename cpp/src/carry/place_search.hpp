@@ -48,7 +48,9 @@ class PlaceSearch {
   std::optional<planning::Path> follow(const Eigen::VectorXd& q,
                                        const std::vector<Eigen::Isometry3d>& poses);
   void assemble(const planning::Path& transfer, const Putting& putting, Plan& plan) const;
-  bool add_transfer(const Putting& putting, int iterations, Plan& plan);
+  std::optional<planning::Path> way_to(const Putting& putting, int iterations);
+  bool go_around(const std::vector<Putting>& puttings, Plan& plan);
+  double detour_of(const planning::Path& path) const;
   bool is_level(const Eigen::VectorXd& q) const;
   bool is_level(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
   bool is_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
