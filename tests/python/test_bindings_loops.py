@@ -205,3 +205,37 @@ def test_clouds_of_known_bodies():
     kept = geometry.downsample(cloud, 3 * step)
     assert len(kept) < 250
     assert (np.diff(kept) > 0).all()
+
+
+def open_box(count, seed):
+    """Independent random points on the inner and outer faces of a box without a lid."""
+    rng = np.random.default_rng(seed)
+    faces = []  # area, corner and two sides
+    for x, y, low in ((0.15, 0.1, 0.0), (0.147, 0.097, 0.005)):
+        wide, deep, high = [2 * x, 0, 0], [0, 2 * y, 0], [0, 0, 0.15 - low]
+        corners = [(-x, -y), (-x, -y), (x, -y), (-x, y)]
+        for (a, b), side in zip(corners, (wide, deep, deep, wide), strict=True):
+            faces.append(([a, b, low], side, high))
+        faces.append(([-x, -y, low], wide, deep))
+    corner, one, other = np.array(faces, dtype=float).transpose(1, 0, 2)
+    areas = np.linalg.norm(np.cross(one, other), axis=1)
+    k = rng.choice(len(faces), count, p=areas / areas.sum())
+    u, v = rng.random((2, count, 1))
+    return corner[k] + u * one[k] + v * other[k]
+
+
+@pytest.mark.parametrize("count", [1000, 3000, 5000])
+def test_hardly_any_gaps_between_random_points_are_holes(count):
+    holes = 0
+    for seed in range(8):  # 16, 59 and 77 holes if all points are used
+        found = shortest_loops(open_box(count, seed))
+        holes += len(found.found)
+        assert any("random distances" in warning for warning in found.warnings)
+    assert holes <= 1
+
+
+def test_all_points_of_an_even_cloud_are_used():
+    everything = LoopOptions(max_edge_length=0.02)
+    assert not any("random" in text for text in shortest_loops(RING, everything).warnings)
+    assert len(shortest_loops(RING).found) == 1
+    assert not any("random" in text for text in shortest_loops(RING).warnings)

@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "code is 1 if no hole is reliable. For an object that cameras saw, name the scene file of "
         "`graspless see`: then rays that passed through a loop decide whether it is a hole. "
         "Without rays, the distances between the points decide, and no hole is reliable in a cloud "
-        "of one side."
+        "of one side; but with much noise such a cloud is not recognised: give --viewpoints."
     )
     parser.add_argument(
         "file",

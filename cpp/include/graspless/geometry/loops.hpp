@@ -56,7 +56,8 @@ struct LoopOptions {
   /// its death over the median birth of the gaps; above 1.
   double min_ratio = 2.25;
   /// Largest number of points without downsampling, in [100, 10^6]. A larger cloud is downsampled
-  /// to about max_points / 2.
+  /// to about max_points / 2, and independent random points to a third, unless rays or
+  /// max_edge_length are given.
   int max_points = 5000;
   /// Shorten the loops of a downsampled cloud on all its points, at most 10^6.
   bool polish = false;

@@ -26,6 +26,7 @@
 #include "geometry/loops/thickness.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/downsample.hpp"
+#include "geometry/sampling/unevenness.hpp"
 #include "text.hpp"
 
 namespace graspless::geometry {
@@ -249,6 +250,17 @@ void choose_complex(const Filtration& filtration, Loops& result) {
   result.surface = surface_of(result.complex, Resolution(result.complex));
 }
 
+/// Gaps between independent random points look like holes, but not between every third of them
+/// that are spread more evenly.
+constexpr int kThinned = 3;
+
+/// True of independent random points on a surface, if there are enough to thin them.
+bool are_random(const Eigen::Matrix3Xd& points) {
+  constexpr double kRandom = 0.55;
+  constexpr int kFew = 300;
+  return points.cols() >= kFew && unevenness(points) > kRandom;
+}
+
 }  // namespace
 
 void validate(const LoopOptions& options) {
@@ -271,12 +283,17 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   check_count(points, options);
   require_points(points, "points");
   const bool downsamples = points.cols() > options.max_points;
+  const int most = downsamples ? options.max_points / 2 : static_cast<int>(points.cols());
+  const bool is_thinned = most > points.cols() / kThinned && !options.max_edge_length &&
+                          rays.empty() && are_random(points);
+  const int used = is_thinned ? static_cast<int>(points.cols()) / kThinned : most;
   const std::vector<int> columns =
-      downsamples ? downsample_to(points, options.max_points / 2) : all_columns(points);
+      used < points.cols() ? downsample_to(points, used) : all_columns(points);
   const Filtration filtration = filtration_of(points(Eigen::all, columns));  // IV-A: D
 
   Loops result;
   result.warnings = cloud_warnings(filtration);
+  if (is_thinned) result.warnings.push_back(thinning_warning(columns.size()));
   result.betti = filtration.betti();
   Judged classes = judged_classes(filtration, options);
   result.noise =

@@ -97,6 +97,12 @@ std::vector<std::string> cloud_warnings(const Filtration& filtration) {
   return warnings;
 }
 
+std::string thinning_warning(std::size_t used) {
+  return "the points lie at random distances from each other: " + std::to_string(used) +
+         " of them, which are spread more evenly, are used, and small holes may be missed; sample "
+         "the surface evenly, or more densely";
+}
+
 void report(const Filtration& filtration, const LoopOptions& options, Loops& result) {
   const bool d_is_given = options.max_edge_length > 0;
   if (d_is_given) warn_of_gaps(filtration, result);

@@ -14,6 +14,9 @@ namespace graspless::geometry {
 /// Warnings about a cloud: coordinates that look like millimetres, equal points.
 std::vector<std::string> cloud_warnings(const Filtration& filtration);
 
+/// Says that only some of the points are used, as all lie at random.
+std::string thinning_warning(std::size_t used);
+
 /// Sets status, reason and warnings from the loops found.
 void report(const Filtration& filtration, const LoopOptions& options, Loops& result);
 

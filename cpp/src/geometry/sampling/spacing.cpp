@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Median distance of nearest neighbours in a cloud.
+// Distances between nearest neighbours in a cloud.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +12,7 @@
 #include "geometry/quantile.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/point_grid.hpp"
+#include "geometry/sampling/unevenness.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -66,23 +67,35 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
   }
 }
 
-}  // namespace
-
-double spacing(const Eigen::Matrix3Xd& cloud) {
+/// Squared distances to the nearest neighbours, of which the least are exact, up to the quantile
+/// `share`; none if no two points differ.
+std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, double share) {
   require_points(cloud, "points");
-  if (cloud.cols() < 2) return 0;
+  if (cloud.cols() < 2) return {};
   const Eigen::Matrix3Xd points = distinct(cloud);
   const double first_guess = guess(points);
-  if (!(first_guess < kInfinity)) return 0;
+  if (!(first_guess < kInfinity)) return {};
   std::vector<double> nearest(static_cast<std::size_t>(points.cols()));
-  // A neighbour within a cell's side is certainly the nearest. So the median is exact once half of
-  // the points have such a neighbour.
+  // A neighbour within a cell's side is certainly the nearest.
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);
     find_nearest(points, grid, nearest);
-    const double middle = std::sqrt(median(nearest));
-    if (middle <= grid.cell()) return middle;
+    if (std::sqrt(quantile(nearest, share)) <= grid.cell()) return nearest;
   }
+}
+
+}  // namespace
+
+double spacing(const Eigen::Matrix3Xd& points) {
+  std::vector<double> nearest = nearest_of(points, 0.5);
+  return nearest.empty() ? 0 : std::sqrt(median(nearest));
+}
+
+double unevenness(const Eigen::Matrix3Xd& points) {
+  const std::vector<double> nearest = nearest_of(points, 0.75);
+  if (nearest.empty()) return 0;
+  const auto distance = [&](double share) { return std::sqrt(quantile(nearest, share)); };
+  return (distance(0.75) - distance(0.25)) / distance(0.5);
 }
 
 }  // namespace graspless::geometry
