@@ -23,7 +23,7 @@ using planning::Path;
 constexpr double kTurnPoint = 0.03;         // between their attitudes [rad]
 constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
 constexpr std::size_t kWaysDown = 3;        // of these, from which the object is lowered
-constexpr std::size_t kWithoutWay = 6;      // such configurations to which a tree is grown
+constexpr std::size_t kWithoutWay = 12;     // such configurations to which a tree is grown
 constexpr int kTreeIterations = 1000;       // of each
 constexpr int kTrees = 5;                   // to each of these
 constexpr double kShortWay = 2;     // of the object, relative to its distance from the start
@@ -121,7 +121,7 @@ bool PlaceSearch::go_around(const std::vector<Putting>& puttings, Plan& plan) {
       best = std::move(*way);
       to = &putting;
     }
-    if (!to) break;  // a tree that fails was large
+    if (!to) break;  // all have used their iterations
   }
   if (to) assemble(best, *to, plan);
   return to != nullptr;
