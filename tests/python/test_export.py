@@ -8,6 +8,7 @@ import importlib.util
 import json
 import pathlib
 import re
+from types import SimpleNamespace
 
 import mujoco
 import numpy as np
@@ -147,6 +148,18 @@ def test_mcap_is_read_back_by_rosbags(tmp_path, file):
     read = [frames.from_row(row) for row in rows]
     np.testing.assert_allclose(read, trajectory.object_poses, atol=1e-12)
     assert found["/object_pose"][0][1].header.frame_id == "world"
+
+
+def test_mcap_of_a_group_has_its_joints_alone(tmp_path):
+    trajectory = exported("slide", tmp_path / "plan.mcap", "mcap", group="arm")
+    assert 0 < len(trajectory.joint_names) < len(planned("slide").joint_names)
+    found = messages_of(tmp_path / "plan.mcap")
+    ((_, whole),) = found["/joint_trajectory"]
+    for field in ("positions", "velocities", "accelerations"):
+        values = [getattr(point, field) for point in whole.points]
+        np.testing.assert_array_equal(values, getattr(trajectory, field))
+    states = [message.position for _, message in found["/joint_states"]]
+    np.testing.assert_array_equal(states, trajectory.positions)
 
 
 def test_mcap_of_bare_fingertips(tmp_path):
@@ -374,6 +387,15 @@ def test_an_import_error_without_a_name(tmp_path, monkeypatch):
         export(plan, tmp_path / "a.mcap", "mcap")
 
 
+@pytest.mark.parametrize("name", ["push", "clasp", "twice"])
+def test_a_plan_that_closes_no_fingers_has_no_squeeze(name):
+    plan = planned(name)
+    if name == "twice":  # its last stage closes them
+        plan = SimpleNamespace(kind="chain", stages=plan.stages[:1])
+    with pytest.raises(TaskError, match=f"plan: {plan.kind}: no slide or pinch of it ends with"):
+        beyond(plan, 0.2)
+
+
 @pytest.mark.parametrize("name", ["slide", "clasp", "carried", "lifted"])
 def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
     trajectory = exported(name, tmp_path / "plan.xml", "mujoco")
@@ -395,7 +417,7 @@ def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
         q, X_WO = trajectory.positions[at], trajectory.object_poses[at]
         squeezed = data.ctrl - q
         if name in ("slide", "lifted") and any(each.endswith("_close") for each in names[:k]):
-            closing = beyond(plan.stages[0] if plan.kind == "chain" else plan, 0.2)
+            closing = beyond(plan, 0.2)
             squeezed -= np.clip(q + closing, robot.lower, robot.upper) - q
             assert np.abs(squeezed - data.ctrl + q).max() > 0.05
         np.testing.assert_allclose(squeezed, 0, atol=1e-5)  # MuJoCo writes six digits

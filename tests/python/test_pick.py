@@ -163,6 +163,48 @@ def test_what_lies_on_something_is_refused(scene, names):
     assert all(f"'{under.name}' overlaps it" in attempt.reason for attempt in found.attempts)
 
 
+def test_an_outline_that_is_a_sliver_of_what_was_seen_is_refused(scene, names):
+    bar = next(thing for thing in scene.objects if thing.name == names["bar"])
+    ring = np.asarray(bar.outline)
+    middle, low = ring.mean(axis=0), ring.min(axis=0)
+    corner = low + 0.1 * (ring - low) + [0, 2 * (middle - low)[1]]  # at the object's far side
+    partial = _alone(scene, bar, outline=corner)
+    found = graspless.pick(partial, bar.name, "wam_t42", strategies=["pinch", "rim", "slide"])
+    assert not found
+    assert [attempt.status for attempt in found.attempts] == 3 * ["refused"]
+    assert all("com" not in attempt.reason for attempt in found.attempts)
+    assert all("only a sliver of what was seen" in found.attempts[k].reason for k in (0, 1))
+
+
+def _alone(scene, thing, outline=None, warnings=()):
+    """The scene with one object, of another outline or with warnings."""
+    other = perception.Object(
+        name=thing.name, support=thing.support, X_WO=thing.X_WO,
+        outline=thing.outline if outline is None else outline,
+        thickness=thing.thickness, thickness_error=0.001, is_flat=True, position_error=0.001,
+        yaw_error=0.01, points=thing.points, rays=list(thing.rays), touches_border=False,
+        warnings=list(warnings),
+    )  # fmt: skip
+    return perception.Scene(
+        status=scene.status, reason="", supports=list(scene.supports), objects=[other], unseen=[],
+        warnings=[],
+    )  # fmt: skip
+
+
+def test_warnings_of_the_object_are_given_again(scene, names, tmp_path, capsys, monkeypatch):
+    bar = next(thing for thing in scene.objects if thing.name == names["bar"])
+    told = ["something nearer may hide part of it", "it may be several objects"]
+    doubtful = _alone(scene, bar, warnings=told)
+    with pytest.warns(UserWarning, match=bar.name) as caught:
+        assert graspless.pick(doubtful, bar.name, "wam_t42", strategies=["pinch"])
+    assert [str(each.message) for each in caught] == [f"scene: {bar.name}: {text}" for text in told]
+    monkeypatch.chdir(tmp_path)
+    perception.save_scene(doubtful, "scene.yaml")
+    assert main(["pick", "scene.yaml", bar.name, *ROBOT, "--strategies", "pinch"]) == 0
+    errors = capsys.readouterr().err.splitlines()
+    assert errors == [f"warning: scene.yaml: {bar.name}: {text}" for text in told]
+
+
 def test_no_real_edge_is_a_reason(scene, names):
     table = table_of(scene, names["card"])
     hidden = perception.Support(
@@ -310,6 +352,7 @@ def test_a_pinch_needs_something_between_its_fingers(scene, names):
     assert "nobody saw the top" in doubt(plan, _with_points(wish, flat[:2]))
 
 
+@pytest.mark.filterwarnings("ignore:.*it has level faces at heights")
 def test_a_spoon_is_not_pinched_above_its_handle():
     shapes = [
         geometry.PlacedShape(geometry.Box(size), frames.translation(place))

@@ -5,6 +5,7 @@
 import copy
 import dataclasses
 import json
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -274,6 +275,8 @@ def test_an_object_in_the_way_is_hit(plan):
     trial = run(plan, aside, settings=dataclasses.replace(SHORT, sequences=1))
     assert "hit" in trial.failures
     assert trial.measures["moved_before"] > SHORT.hit
+    text = simulation_report.as_text(Simulation(plan, 0, [trial]))
+    assert re.search(r"touched an obstacle \(the object moved by up to \d+ mm\)", text)
 
 
 def test_a_locked_hand_holds_where_it_is_closed(plan):

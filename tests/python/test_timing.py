@@ -573,8 +573,10 @@ def test_a_path_that_toppra_cannot_pass_is_no_fault_of_ours(monkeypatch):
     monkeypatch.setattr(
         fastest.TOPPRA, "compute_parameterization", lambda *given: (None, None, None)
     )
-    with pytest.raises(TaskError, match="toppra found no motion"):
+    with pytest.raises(TaskError, match="found no motion along a path, because of rounding"):
         graspless.time(planned("push"))
+    with pytest.raises(TaskError, match="within contact_speed: should be closer to the default"):
+        graspless.time(planned("push"), contact_speed=0.01)
     assert clock_of(planned("push")) is None
 
 

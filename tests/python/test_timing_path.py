@@ -7,6 +7,7 @@ import pytest
 from hypothesis import Phase, example, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
+from toppra.algorithm import TOPPRA
 
 from graspless.timing.clip import clip, split
 from graspless.timing.fastest import fastest
@@ -92,6 +93,28 @@ def test_a_straight_line_takes_the_time_of_the_textbook(distance, velocity, acce
         seconds = 2 * np.sqrt(distance / acceleration)
     seconds += 2 * acceleration / jerk  # in which the acceleration changes its sign
     assert fastest(path, whole(line, limits)).duration == pytest.approx(seconds, rel=5e-3)
+
+
+@pytest.mark.parametrize("least", [1e-5, 5e-4])
+def test_a_grid_with_which_toppra_fails_loses_its_short_steps(monkeypatch, least):
+    stairs, real = np.array(STAIRS), TOPPRA.compute_parameterization
+    zones = whole(stairs, limits_of(3, 2.0, 0.2, 1.0))
+    path = rounded(stairs, np.full(stairs.shape, 1e-3))
+    usual = fastest(path, zones).duration
+    failed = []
+
+    def fails_for_short_steps(solver, *ends):
+        failed.append(np.diff(solver.gridpoints).min() < least)
+        return (None, None, None) if failed[-1] else real(solver, *ends)
+
+    monkeypatch.setattr(TOPPRA, "compute_parameterization", fails_for_short_steps)
+    motion = fastest(path, zones)
+    assert any(failed)
+    assert not all(failed)
+    assert motion.duration == pytest.approx(usual, rel=0.05)
+    _, v, a, j = motion.coordinates(np.linspace(0, motion.duration, 5000))
+    for values, most in ((v, 2.0), (a, 0.2), (j, 1.0)):
+        assert np.abs(values).max() <= most * (1 + 1e-6)
 
 
 def test_each_zone_has_its_own_limits_and_the_motion_does_not_rest_between_them():

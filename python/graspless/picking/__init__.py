@@ -19,9 +19,10 @@ from ..tasks.documents import in_plain_types
 from ..tasks.robot_files import find_urdf
 from ..tasks.source import Source
 from . import place as places
+from .hidden import warnings_of
 from .moving import MOVING
 from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
-from .strategies import LEAST_SECONDS, STRATEGIES, cut_off, require_strategies
+from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
 
@@ -61,7 +62,8 @@ def pick(
     to a real edge of its support and grasp it there; clasp a hole or handle; tumble or push it with
     two fingertips to where it can be pinched or slid. Each plan ends with a lift, and holds in
     `check`. A strategy that cannot work is refused by lengths alone, with the length that is
-    missing. Not finding a plan is a result, never an exception.
+    missing. Not finding a plan is a result, never an exception. Warnings of the scene about the
+    object are given again.
 
     Parameters
     ----------
@@ -92,8 +94,9 @@ def pick(
         Largest age of the images of the scene [s]. An older scene, and one without a `stamp`, is
         refused.
     best_of : int
-        Number of plans to find, from which the one of the shortest duration at the joints' speed
-        limits is returned. More than one takes the whole time if fewer are found.
+        Maximum number of plans. After the first plan, the strategies that follow are tried, and
+        then all again with other seeds, `best_of` times at most. Returned is the plan of the
+        shortest duration at the joints' speed limits. `max_mass` is not compared.
     seconds : float
         Limit of the time [s]. What is left is shared evenly among the strategies that are left.
     seed : int
@@ -137,8 +140,8 @@ def pick(
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
     found = Pick(name, tries)
     first = next(iter(wishes.values()))
-    if cut := cut_off(first):
-        warn(f"{file}: {name}: {cut}")
+    for warning in warnings_of(first):
+        warn(f"{file}: {name}: {warning}")
     target = None if place is None else places.target_of(first, place)
     old = "" if max_age is None else stale(scene, max_age)
     nowhere = "" if target is None or old else places.refusal(target)

@@ -36,9 +36,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "tumble or push it with two fingertips, and lift it. The plan is a chain; if there is\n"
         "none, the table says why not for each strategy."
     )
-    codes = EXIT_CODES.replace(" or, with --prove, a trial", "")
     parser.epilog = (
-        f"{codes}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
+        f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
     )
     parser.add_argument(
         "scene",
@@ -90,7 +89,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="force of each finger that pinches [N] (default: by half the hand's effort limits)",
     )
     parser.add_argument(
-        "--best-of", type=int, metavar="N", help="find N plans and keep the shortest (default: 1)"
+        "--best-of",
+        type=int,
+        metavar="N",
+        help="find up to N plans, also by later strategies and with other seeds, and keep the one "
+        "of the shortest duration (default: 1)",
     )
     add_seconds(parser, "time limit [s] (default: 10)")
     parser.add_argument(

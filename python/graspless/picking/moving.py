@@ -17,18 +17,10 @@ from .._api import check, plan_since
 from ..tasks import task_from_dict
 from .block import Block, block_of, level, wish_at
 from .fingertips import Fingertips, fingertips_of
+from .hidden import covered, cut_off
 from .moves import MOVES, Move, misplaced
 from .result import FILE
-from .strategies import (
-    LEAST_SECONDS,
-    THIN,
-    WAYS,
-    chain_of,
-    covered,
-    cut_off,
-    explained,
-    refusal,
-)
+from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, explained, refusal
 
 if TYPE_CHECKING:
     from ..chain import Plan

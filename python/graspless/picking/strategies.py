@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import geometry
 from ..errors import TaskError, should_be
+from .hidden import covered, cut_off, sliver
 from .measured import top_share, unseen_share
 from .wish import cloud_fields, distance_to, heights_fields, object_fields, support_fields
 
@@ -195,38 +195,12 @@ def _clasp(wish: Wish) -> dict[str, Any]:
     return {"object": cloud_fields(wish), "obstacles": wish.around}
 
 
-def covered(wish: Wish) -> str:
-    """Says what lies over the object."""
-    own = wish.outline
-    for other in wish.others:
-        if other.support != wish.thing.support:
-            continue
-        X_OO = np.linalg.inv(wish.thing.X_WO) @ other.X_WO
-        ring = np.asarray(other.outline) @ X_OO[:2, :2].T + X_OO[:2, 3]
-        if _overlap(own, geometry.Polygon(ring)):
-            return f"'{other.name}' overlaps it seen from above: it lies over it, under it or in it"
-    return ""
+def _refuse_pinch(wish: Wish) -> str:
+    return cut_off(wish) or sliver(wish, SMOOTH)
 
 
-def _overlap(a: geometry.Polygon, b: geometry.Polygon) -> bool:
-    """Returns True if a point well within one outline lies in the other."""
-    for one, other in ((a, b), (b, a)):
-        inner = np.asarray(one.vertices)
-        inner = inner + 0.2 * (np.asarray(one.centroid) - inner)
-        if any(one.contains(p) and other.contains(p) for p in inner):
-            return True
-    return False
-
-
-def cut_off(wish: Wish) -> str:
-    """Says that the sides of the outline are not all sides of the object."""
-    if wish.thing.touches_border:
-        return "the image cuts it off: a finger could be inside the rest of it; move the camera"
-    return ""
-
-
-def _refuse_nothing(wish: Wish) -> str:
-    return ""
+def _refuse_rim(wish: Wish) -> str:
+    return sliver(wish, SMOOTH)
 
 
 def _refuse_slide(wish: Wish) -> str:
@@ -243,7 +217,7 @@ def _refuse_slide(wish: Wish) -> str:
     if height > THIN * width:
         lengths = f"{1000 * height:.0f} mm high and {1000 * width:.0f} mm wide"
         return f"{lengths}: only what is lower than three quarters of its width is slid"
-    return ""
+    return sliver(wish, SMOOTH)
 
 
 def _beyond_reach(wish: Wish, edges: list[int]) -> float:
@@ -298,8 +272,8 @@ _FIELDS: dict[str, Callable[[Wish], dict[str, Any]]] = {
     "clasp": _clasp,
 }
 _REFUSALS: dict[str, Callable[[Wish], str]] = {
-    "pinch": cut_off,
-    "rim": _refuse_nothing,
+    "pinch": _refuse_pinch,
+    "rim": _refuse_rim,
     "slide": _refuse_slide,
     "clasp": _refuse_clasp,
 }

@@ -49,7 +49,8 @@ class PickTask(Fields):
         default=None, description="force of each finger that pinches [N]"
     )
     best_of: Annotated[int, Field(ge=1)] = Field(
-        default=1, description="number of plans, of which the shortest is kept"
+        default=1,
+        description="largest number of plans, of which the one of the shortest duration is kept",
     )
     budget: Budget = Budget.model_construct()
 

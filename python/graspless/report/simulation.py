@@ -38,7 +38,8 @@ def as_text(found: Simulation, disturbed: dict[str, Any] | None = None) -> str:
     trials = count(len(found.trials), "trials")
     lines = [f"{found.held} of {trials} succeeded, seed {found.seed}"]
     for name, times in found.failures.items():
-        meaning = failures[name] + _bodies(name, found) + _rise(name, found)
+        meaning = failures[name] + _bodies(name, found) + _push(name, found)
+        meaning += _rise(name, found)
         lines.append(f"  {name} in {count(times, 'trials')}: {meaning}")
     lines += [f"  {line}" for line in _table(found.trials, measures)]
     if disturbed is not None:
@@ -58,6 +59,17 @@ def _bodies(failure: str, found: Simulation) -> str:
     (most, _), *others = Counter(pairs).most_common()
     more = f", and {count(len(others), 'other pairs')}" if others else ""
     return f" ({most[0]} and {most[1]}{more})"
+
+
+def _push(failure: str, found: Simulation) -> str:
+    """Returns how far the object moved, in brackets, if that made a clasp fail."""
+    failed = [trial for trial in found.trials if failure in trial.failures]
+    pushed = [t.measures for t in failed if "moved_before" in t.measures and not t.touched]
+    moved = [measures["moved_before"] for measures in pushed]
+    if failure != "hit" or not moved:
+        return ""
+    of = "" if len(moved) == len(failed) else f"in {len(moved)} of them "
+    return f" ({of}the object moved by up to {1e3 * max(moved):.0f} mm)"
 
 
 def _rise(failure: str, found: Simulation) -> str:

@@ -110,7 +110,17 @@ def time(
         contact_speed = defaults.require_positive("contact_speed", contact_speed)
     limits = defaults.joint_limits(robot, max_velocity, max_acceleration, max_jerk)
     asked = defaults.Settings(robot, *limits, contact_speed, Rate(rate), pause)
-    return require_sayable(kind.trajectory(plan, asked), pause)
+    try:
+        return require_sayable(kind.trajectory(plan, asked), pause)
+    except defaults.NoMotionError:
+        given = {
+            "max_velocity": max_velocity,
+            "max_acceleration": max_acceleration,
+            "max_jerk": max_jerk,
+            "contact_speed": contact_speed,
+        }
+        names = [name for name, value in given.items() if value is not None]
+        raise defaults.NoMotionError(names) from None
 
 
 def _require_same_joints(robot: Robot, own: Robot | None) -> Robot:

@@ -20,9 +20,9 @@ from toppra.constraint import LinearConstraint
 from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
 from toppra.interpolator import AbstractGeometricPath
 
-from ..errors import TaskError
 from .limits import bounds
-from .motion import NO_MOTION, Motion, profile_of
+from .motion import Motion, profile_of
+from .settings import NoMotionError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,6 +41,7 @@ ROUNDING = 1e-9  # part of a motion, below which a window is lost in rounding
 ACCEPTED = 0.01  # relative excess above which the grid is refined
 LITTLE = 0.025  # relative excess that is refined only while that helps
 HELPED = 0.7  # most of an excess that a refinement that helps leaves
+GAPS = (0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # least steps of the grids, in lengths of the path
 
 
 @np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion._made
@@ -50,10 +51,11 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
     toppra evaluates limits at the points of a grid. Where they are exceeded between two points,
     the grid is refined and the speed there is reduced. A small excess is refined only as long as
     that helps. The remaining excess slows down the whole motion.
+
+    Raises NoMotionError if toppra finds none.
     """
     grid, window = path.grid(), _window(zones)
-    slowed = np.ones(len(grid))
-    motion, excess = _solved(path, zones, grid, slowed, window)
+    grid, slowed, motion, excess = _found(path, zones, grid, np.ones(len(grid)), window)
     best = grid, motion, excess.max()
     for _ in range(REFINEMENTS):
         before = excess.max()
@@ -67,7 +69,10 @@ def fastest(path: Path, zones: Sequence[Zone]) -> Motion:
         order = np.argsort(np.append(grid, middles), kind="stable")
         slowed = np.append(slowed, np.maximum(slowed[broken], slowed[broken + 1]))[order]
         grid = np.append(grid, middles)[order]
-        motion, excess = _solved(path, zones, grid, slowed, window)
+        try:
+            grid, slowed, motion, excess = _found(path, zones, grid, slowed, window)
+        except NoMotionError:
+            break
         if motion.duration * (1 + excess.max()) < best[1].duration * (1 + best[2]):
             best = grid, motion, excess.max()
         if HELPED * before < excess.max() <= LITTLE:
@@ -90,6 +95,32 @@ def _window(zones: Sequence[Zone]) -> float:
     return max(times)
 
 
+def _found(
+    path: Path, zones: Sequence[Zone], grid: Matrix, slowed: Matrix, window: float
+) -> tuple[Matrix, Matrix, Motion, Matrix]:
+    """Returns the result of `_solved`, after the grid and the factors for which it was found.
+
+    Where steps are very short, rounding errors can hide every motion from toppra: then those grids
+    are tried that have only some of the points.
+    """
+    for gap in GAPS:
+        kept = _spaced(grid, gap * path.length)
+        try:
+            return grid[kept], slowed[kept], *_solved(path, zones, grid[kept], slowed[kept], window)
+        except NoMotionError:
+            continue
+    raise NoMotionError
+
+
+def _spaced(grid: Matrix, gap: float) -> list[int]:
+    """Returns indices of points that are more than `gap` apart, among them both ends."""
+    kept = [0]
+    for k in range(1, len(grid) - 1):
+        if grid[k] - grid[kept[-1]] > gap and grid[-1] - grid[k] > gap:
+            kept.append(k)
+    return [*kept, len(grid) - 1]
+
+
 def _solved(
     path: Path, zones: Sequence[Zone], grid: Matrix, slowed: Matrix, window: float
 ) -> tuple[Motion, Matrix]:
@@ -109,7 +140,7 @@ def _solved(
     result = solver.compute_parameterization(0, 0)
     speeds = result[1]
     if speeds is None or not np.isfinite(speeds).all():
-        raise TaskError(NO_MOTION)
+        raise NoMotionError
     profile = profile_of(grid, np.maximum(speeds, 0.0) * path.length / unit)
     motion = Motion(path, profile, window)
     times = _moments(motion, grid, CHECKS)

@@ -12,16 +12,11 @@ import numpy as np
 from scipy.interpolate import PPoly
 from scipy.optimize import brentq
 
-from ..errors import TaskError
+from .settings import NoMotionError
 
 if TYPE_CHECKING:
     from ..frames import Matrix
     from .path import Path
-
-NO_MOTION = (
-    "toppra found no motion along a path within max_velocity, max_acceleration, max_jerk and "
-    "contact_speed: they should be closer to their defaults"
-)
 
 
 @dataclass(frozen=True)
@@ -151,7 +146,7 @@ def profile_of(grid: Matrix, speeds: Matrix) -> PPoly:
 
 
 def _made(pieces: Matrix, times: Matrix) -> PPoly:
-    """Returns a profile; raises TaskError if numbers cannot express it."""
+    """Returns a profile; raises NoMotionError if numbers cannot express it."""
     if not (np.isfinite(pieces).all() and np.isfinite(times).all() and (np.diff(times) > 0).all()):
-        raise TaskError(NO_MOTION)
+        raise NoMotionError
     return PPoly(pieces, times)

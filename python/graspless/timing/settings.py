@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -44,7 +44,22 @@ FREE_FINGER_ACCELERATION = 0.5  # [m/s^2]
 RATE = 100.0  # [1/s]
 PAUSE = 0.05  # between segments, where contacts change [s]
 LARGEST = 1e9  # limit of a joint: rounding errors spoil the timing with larger ones
+_ADVICE = ", because of rounding errors: plan again with another seed"
 LONGEST = 2**31 - 1  # duration that ROS messages can hold [s]
+
+
+class NoMotionError(TaskError):
+    """No motion was found along a path.
+
+    Parameters
+    ----------
+    given : list of str
+        Names of the limits that the caller gave.
+    """
+
+    def __init__(self, given: Sequence[str] = ()) -> None:
+        limits = f" within {', '.join(given)}: should be closer to the defaults" if given else ""
+        super().__init__(f"toppra found no motion along a path{limits or _ADVICE}")
 
 
 @dataclass(frozen=True)

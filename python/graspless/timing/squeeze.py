@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import TaskError
 from ..kinds import stages_of
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 SECONDS = 0.5  # in which the hand closes on
 _RATE = 100.0  # samples per second
+_KINDS = ("slide", "pinch")  # of plans that end with a hand that touches
 
 
 def beyond(plan: Any, travel: float) -> Matrix:
@@ -24,12 +26,21 @@ def beyond(plan: Any, travel: float) -> Matrix:
 
     Parameters
     ----------
-    plan : slide.Plan or pinch.Plan
+    plan : Plan
+        Slide or pinch, or a chain with one that ends with closing fingers.
     travel : float
         Largest of the motions of the joints, each weighted by its `Robot.step_weights` [rad; of
         sliding joints 1/10 m].
+
+    Raises
+    ------
+    TaskError
+        The plan is neither, and none of its stages ends so.
     """
-    problem = plan.task.problem
+    grasps = [plan] if plan.kind in _KINDS else _grasps(plan)
+    if not grasps:
+        raise TaskError(f"plan: {plan.kind}: no slide or pinch of it ends with closing fingers")
+    problem = grasps[-1].task.problem
     hand, arm = problem.hand, problem.robot
     way = np.array(arm.state(hand.closed)) - np.array(arm.state(hand.open))
     way[arm.group(hand.arm)] = 0.0
@@ -100,10 +111,15 @@ def targets(trajectory: Trajectory, travel: float) -> Matrix:
     return found
 
 
+def _grasps(plan: Any) -> list[Any]:
+    """Returns the slides and pinches of a plan that end with closing fingers."""
+    touching = [stage for stage in stages_of(plan) if stage.kind in _KINDS]
+    return [s for s in touching if s.segments and s.segments[-1].name == "close"]
+
+
 def _contact(trajectory: Trajectory, travel: float) -> tuple[int, Matrix]:
     """Returns the sample at which the hand touches, and how far it closes on [dof]; or zeros."""
-    stages: list[Any] = stages_of(trajectory.plan)
-    grasps = [s for s in stages if s.kind in ("slide", "pinch") and s.segments[-1].name == "close"]
+    grasps = _grasps(trajectory.plan)
     if travel <= 0 or not grasps:
         return 0, np.zeros(trajectory.positions.shape[1])
     plan = grasps[-1]

@@ -116,9 +116,9 @@ class Trajectory:
         return replace(
             self,
             joint_names=[self.joint_names[i] for i in columns],
-            positions=self.positions[:, columns],
-            velocities=self.velocities[:, columns],
-            accelerations=self.accelerations[:, columns],
+            positions=np.ascontiguousarray(self.positions[:, columns]),
+            velocities=np.ascontiguousarray(self.velocities[:, columns]),
+            accelerations=np.ascontiguousarray(self.accelerations[:, columns]),
         )
 
     @property
