@@ -2,17 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A clasp from the planner's own types: a cloud goes in, joint positions and a margin come out."""
 
-import numpy as np
-
-from graspless import clasp, geometry, robot
+from graspless import clasp, frames, geometry, robot
 
 urdf = robot.builtin("kr5_sdh")
 arm = robot.Robot.from_urdf_file(str(urdf))
 hand = clasp.hand_from_yaml_file(str(urdf.with_name("kr5_sdh.clasp.yaml")))
 cloud = geometry.sample_surface(clasp.sample_object("purse"), 2000)  # or points of your own, in m
 purse = clasp.Object.from_cloud("purse", cloud)
-X_WO = np.eye(4)
-X_WO[:3, 3] = 0.62, 0.05, 0.0
+X_WO = frames.planar(0.62, 0.05, 0.3)
 
 problem = clasp.Problem(arm, hand, purse, X_WO, arm.state("home"))
 plan = clasp.plan(problem)

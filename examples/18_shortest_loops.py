@@ -16,7 +16,8 @@ for name, points, views in (("whole chair", cloud, []), ("one view", seen, rays)
     print(f"{found.complex.max_edge_length:.3f} m")
     for loop in found.found:
         where = loop.points.mean(axis=0).round(2)
-        print(f"  {loop.length:.3f} m around {where}, {100 * loop.thickness:.1f} cm thick")
+        thick = f"{100 * loop.thickness:.1f} cm thick" if loop.thickness else "of unknown thickness"
+        print(f"  {loop.length:.3f} m around {where}, {thick}")
 
 if len(sys.argv) > 1:  # a picture
     view.write_loops_png(cloud, geometry.shortest_loops(cloud), sys.argv[1])

@@ -19,7 +19,7 @@ FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
 EXIT_CODES = """exit codes:
   0    success: a plan was found, and it passes its check
-  1    no plan was found, or a plan fails its check or, with --prove, a trial
+  1    no plan was found, or a plan fails its check
   2    bad input, or output that cannot be written
   130  interrupted
   141  the reader of the output closed the pipe

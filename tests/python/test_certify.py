@@ -113,7 +113,7 @@ def test_command_line_says_what_is_not_proven(plan, tmp_path, capsys):
     assert main(["check", str(path), "--certify"]) == 1
     out = capsys.readouterr().out
     edges = sum(len(segment) - 1 for segment in plan.segments)
-    assert f"is not certified, {edges} of {edges} edges are certified:" in out
+    assert f"the plan is not certified, {edges} of {edges} edges are certified:" in out
     assert "lift row 0" in out
 
 
@@ -193,4 +193,4 @@ def test_a_plan_without_joints_is_not_certified(tmp_path, capsys):
     assert main(["check", path]) == 0
     capsys.readouterr()
     assert main(["check", path, "--certify"]) == 1
-    assert capsys.readouterr().out == f"is not certified:\n{fault}\n"
+    assert capsys.readouterr().out == f"the plan is not certified:\n{fault}\n"

@@ -100,7 +100,8 @@ def test_report_says_caged_only_where_that_is_proven(document, plan, tmp_path):
     found = plan.certificate
     first, second = found.between
     text = report.as_text(plan)
-    assert f"caged: a loop {1000 * found.thickness:.1f} mm thick does not pass the gap of" in text
+    core = f"a loop with a core of {1000 * found.thickness:.1f} mm"
+    assert f"caged: {core} does not pass the gap of" in text
     assert f"mm between {first} and {second} (opening {1000 * found.lower:.1f} to" in text
     assert report.as_dict(plan)["certificate"]["upper"] == found.upper
     for change, says in (

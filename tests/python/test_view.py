@@ -84,6 +84,7 @@ def test_title_of_a_failure_fits_on_the_page(plan):
     failed = SimpleNamespace(task=plan.task, status=status, reason=reason)
     title = figures.failure(failed)
     assert title.startswith("card: interrupted: first one")
+    assert title.endswith(" one …")
     text = figures.panels(title, []).texts[0]
     assert text.get_window_extent().x1 < text.figure.bbox.x1
 

@@ -11,13 +11,23 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import EXIT_CODES, FOUND, INTERRUPTED, NOT_FOUND, add_seconds, add_trust
+from .._commands import FOUND, INTERRUPTED, NOT_FOUND, add_seconds, add_trust
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Iterator
 
-EXAMPLE = """after Ctrl-C, the same command resumes the batch
+EPILOG = """exit codes:
+  0    success: all plans were found, and all pass their checks
+  1    a plan was not found, or fails its check or, with --prove, a trial;
+       or a task file is bad
+  2    the batch cannot run, for instance because there are no tasks, or output
+       cannot be written
+  130  interrupted
+  141  the reader of the output closed the pipe
+  143  terminated (SIGTERM)
+
+after Ctrl-C, the same command resumes the batch
 
 example: graspless batch tasks/ -o plans --jobs 2"""
 
@@ -34,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "at the end. A task that already has a plan and has not changed since is not\n"
         "planned again."
     )
-    parser.epilog = f"{EXIT_CODES}\n\n{EXAMPLE}"
+    parser.epilog = EPILOG
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
         "tasks",

@@ -31,9 +31,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Plan a task, check the plan and write it. A plan file is written in any case;\n"
         "if no plan was found, it says why, and an existing solved plan is kept as NAME~."
     )
-    parser.epilog = (
-        f"{EXIT_CODES}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
-    )
+    failures = " or, with --prove, a trial,\n       or is not certified with --certify"
+    codes = EXIT_CODES.replace("fails its check", f"fails its check{failures}")
+    parser.epilog = f"{codes}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
         "task", metavar="TASK.yaml", help="task file (docs/task-files.md); - for stdin"

@@ -133,7 +133,8 @@ def _run(options: argparse.Namespace) -> int:
         files.to_stdout(written)
     told = sys.stderr if to_stdout else sys.stdout
     print(f"written: {'stdout' if to_stdout else options.output}", file=told)
-    print(f"  {len(trajectory)} samples, {trajectory.duration:.2f} s", file=told)
+    content = "keyframes" if options.to == "mujoco" else f"{len(trajectory)} samples"
+    print(f"  {content}, {trajectory.duration:.2f} s", file=told)
     if trajectory.start:
         joints = ", ".join(f"{name} {value:.4f}" for name, value in trajectory.start.items())
         print(f"  move the robot to the first configuration before you start: {joints}", file=told)

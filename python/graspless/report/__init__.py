@@ -100,7 +100,7 @@ def verdict(plan: Plan, faults: list[str], edges: tuple[int, int] | None = None)
     if faults:
         if edges is not None:
             proven = f", {edges[0]} of {edges[1]} edges are certified" if edges[1] else ""
-            head = f"is not certified{proven}:"
+            head = f"the plan is not certified{proven}:"
         else:
             head = "does not hold:" if plan else "not solved:"
         return "\n".join([head, *_shortened(faults)])

@@ -107,15 +107,15 @@ def _caged(found: Certificate) -> str:
     if not any(found.between):
         return "not proven to be caged: no ring of the hand is linked with the loop"
     first, second = found.between
-    thick = "a loop of unknown thickness"
+    core = "a loop with a core of unknown diameter"
     if found.thickness > 0:
-        thick = f"a loop {1000 * found.thickness:.1f} mm thick"
+        core = f"a loop with a core of {1000 * found.thickness:.1f} mm"
     sides = f"{first} and {second}" if first != second else f"parts of {first}"
     gap = f"the gap of {1000 * found.gap:.1f} mm between {sides}"
     opening = f"opening {1000 * found.lower:.1f} to {1000 * found.upper:.1f} mm"
     if found.caged:
-        return f"caged: {thick} does not pass {gap} ({opening})"
-    return f"not proven to be caged: {thick} may pass {gap} ({opening})"
+        return f"caged: {core} does not pass {gap} ({opening})"
+    return f"not proven to be caged: {core} may pass {gap} ({opening})"
 
 
 def _ends(plan: Plan) -> dict[str, float]:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import io
+import textwrap
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,9 +45,14 @@ def draw_panel(axes: Any, picture: Matrix, caption: str, **title: Any) -> None:
 
 
 def failure(plan: Plan) -> str:
-    """Returns the title of a plan without motion: the beginning of its reason, on one line."""
+    """Returns the title of a plan without motion: the beginning of its reason, on one line.
+
+    A title that is too long ends after a whole word, with an ellipsis.
+    """
     name, status = plan.task.problem.object.name, str(plan.status).replace("_", " ")
-    return f"{name}: {status}: {plan.reason.split(';')[0]}"[:LETTERS]
+    title = f"{name}: {status}: {plan.reason.split(';')[0]}"
+    lines = textwrap.wrap(title, LETTERS - 2, break_on_hyphens=False)
+    return f"{lines[0]} …" if len(lines) > 1 else lines[0]
 
 
 def hull(points: Matrix) -> Matrix:

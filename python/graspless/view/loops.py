@@ -99,7 +99,7 @@ def draw_cloud(
 
 
 def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
-    """Draws the Betti curve, its plateau, and the chosen longest edge d."""
+    """Draws the Betti curve, where most found loops exist, and the chosen longest edge d."""
     edges, numbers = np.array(loops.betti.max_edge_length), np.array(loops.betti.loops)
     if len(edges):
         axes.step(edges, numbers, where="post", color=INK, lw=1.4, label="number of loops")
@@ -107,7 +107,8 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
     plateau = loops.plateau
     if plateau.loops and plateau.lower > 0:
         upper = plateau.upper if math.isfinite(plateau.upper) else edges.max()
-        axes.axvspan(plateau.lower, upper, color="#f1e8da", lw=0, zorder=0, label="plateau")
+        shade = {"color": "#f1e8da", "lw": 0, "zorder": 0}
+        axes.axvspan(plateau.lower, upper, label="found loops exist", **shade)
     if chosen > 0:
         axes.axvline(
             chosen, color="#b3261e", lw=1.2, ls=(0, (6, 3)), label=f"chosen: {chosen:.3g} m"
@@ -132,7 +133,7 @@ def _draw_betti(axes: Any, loops: geometry.Loops) -> None:
     axes.set_title("number of loops by longest edge of the complex", pad=22, **title)
     axes.legend(
         fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 0.995), ncols=3,
-        borderaxespad=0.1,
+        borderaxespad=0.1, columnspacing=1.2,
     )  # fmt: skip
     axes.set_xlabel("longest edge [m]", fontsize=9, color=INK)
     axes.tick_params(labelsize=8)

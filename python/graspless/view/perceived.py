@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 
 from .figures import INK, as_png, hull, new_figure
@@ -38,12 +39,18 @@ def draw(scene: Scene) -> bytes:
         Line2D([], [], color=color, lw=3, label=name.replace("_", " "))
         for name, color in EDGES.items()
     ]
-    figure.legend(
-        handles=lines, loc="lower center", ncols=3, frameon=False, title="edge of a support"
-    )
+    lower: dict[str, Any] = {"loc": "lower center", "frameon": False, "fontsize": 9, "ncols": 3}
+    lower |= {"columnspacing": 1.2, "handlelength": 1.6}
+    figure.legend(handles=lines, bbox_to_anchor=(0.26, 0), title="edge of a support", **lower)
+    areas = [
+        Patch(facecolor=THING, edgecolor=INK, lw=0.8, alpha=0.85, label="object"),
+        Patch(facecolor=CUT, edgecolor=INK, lw=0.8, alpha=0.85, label="cut off by the image"),
+        Patch(facecolor="none", edgecolor=HIDDEN, hatch="////", lw=0, alpha=0.45, label="unseen"),
+    ]
+    figure.legend(handles=areas, bbox_to_anchor=(0.73, 0), title="area", **lower)
     if any(thing.warnings for thing in scene.objects):
         about = "(!): has warnings; graspless see prints them"
-        figure.text(0.985, 0.02, about, ha="right", fontsize=9, color=INK)
+        figure.text(0.985, 0.955, about, ha="right", fontsize=9, color=INK)
     figure.subplots_adjust(left=0.08, right=0.97, bottom=0.17, top=0.9, wspace=0.2)
     return as_png(figure)
 
