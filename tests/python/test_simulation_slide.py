@@ -379,7 +379,7 @@ def test_a_slippery_pad_leaves_the_object_behind(plan):
 
 
 def test_another_goal_than_the_plans_is_missed(plan):
-    other, X_WO = copy.copy(plan), plan.X_WO_goal
+    other, X_WO = copy.copy(plan), plan.X_WO_goal.copy()
     X_WO[0, 3] += 0.02
     other.X_WO_goal = X_WO
     execution = Execution(other, Variation(), Slide())
