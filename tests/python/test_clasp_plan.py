@@ -161,6 +161,16 @@ def test_cloud_without_a_hole_is_told_with_its_betti_curve(tmp_path):
     )
 
 
+@pytest.mark.parametrize("x", [0.5, 0.55])
+def test_a_start_from_which_turning_to_the_loop_hits_the_object(x):
+    """Every step of Algorithm 2 turns the hand: no tree left its root, in any time."""
+    thing = {"name": "purse", "sample": "purse", "seed": 2, "pose": {"position": [x, 0.05, 0]}}
+    task = {"kind": "clasp", "robot": {"urdf": "kr5_sdh"}, "object": thing}
+    found = graspless.plan({**task, "budget": {"seconds": 20}}, seed=1)
+    assert found, found.reason
+    assert graspless.check(found) == []
+
+
 def test_no_time_is_a_status():
     plan = graspless.plan(read_task(PURSE, "purse.yaml"), iterations=0)
     assert not plan

@@ -53,7 +53,7 @@ Controller::Controller(TaskSpace& task_space, const robot::Robot& robot, const H
       q_dot_(robot.dof()) {}
 
 bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_step,
-                      VectorXd& q_new) {
+                      VectorXd& q_new, bool is_aligned) {
   task_space_.project(q);
   position_.u = x_target.head<3>() - task_space_.position();           // 1, 2
   task_space_.position_jacobian(position_.J);                          // 3
@@ -69,6 +69,10 @@ bool Controller::step(const VectorXd& q, const TaskPoint& x_target, double max_s
   alignment_.J.array().rowwise() *= arm_gains_.array();
   linking_.J.array().rowwise() *= hand_gains_.array();
   blend_ = gain(position_.u.norm());  // 12
+  if (!is_aligned) {
+    alignment_.u.setZero();
+    alignment_.J.setZero();
+  }
   const double misalignment = alignment_.u.maxCoeff();
   position_.u /= 1 + kPatience * misalignment * misalignment;
   solve();  // 10, 11, 13, 14

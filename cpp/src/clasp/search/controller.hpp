@@ -28,9 +28,10 @@ class Controller {
 
   /// Computes the configuration one step from q towards x_target, within the joint limits. No joint
   /// moves more than `max_step`, Robot::step() [rad]. Returns false if no joint would move by 2e-4
-  /// rad. Projects q unless it was projected last. Allocates no memory.
+  /// rad. Projects q unless it was projected last. Allocates no memory. `is_aligned` is false for a
+  /// step that need not turn the hand to the loop.
   bool step(const Eigen::VectorXd& q, const TaskPoint& x_target, double max_step,
-            Eigen::VectorXd& q_new);
+            Eigen::VectorXd& q_new, bool is_aligned = true);
 
  private:
   /// Error u and Jacobian J of a task, with the damped pseudo-inverse J' (J J' + damping^2)^-1.

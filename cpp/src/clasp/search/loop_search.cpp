@@ -104,7 +104,8 @@ void LoopSearch::make_planner() {
                                             const Eigen::VectorXd& x_target, bool is_exploring,
                                             ob::State* new_state) mutable {
         const double step = is_exploring ? kExploringStep : kMaxStep;
-        if (!controller_.step(vector(q, dof_), x_target.head<4>(), step, q_new)) {
+        const bool is_aligned = !is_stuck() || !is_exploring;
+        if (!controller_.step(vector(q, dof_), x_target.head<4>(), step, q_new, is_aligned)) {
           query_.refuse("control: stalled");
           return false;
         }
@@ -115,6 +116,15 @@ void LoopSearch::make_planner() {
       [this](std::mt19937_64& rng, Eigen::VectorXd& x) { draw_task(rng, x); });
   planner_->set_tolerance(
       [this](const Eigen::VectorXd&, const Eigen::VectorXd& x) { return is_enough(x[4]); });
+}
+
+// Turning the hand to the loop may push it into the object in every step from the start: Algorithm
+// 2 turns it in all. Once a tree was given up at its root, later ones explore without turning.
+bool LoopSearch::is_stuck() {
+  if (planner_->num_restarts() != restarts_) was_stuck_ = was_stuck_ || nodes_ == 1;
+  restarts_ = planner_->num_restarts();
+  nodes_ = planner_->num_nodes();
+  return was_stuck_;
 }
 
 // RANDOM-TS-SAMPLE of Algorithm 1.

@@ -34,6 +34,7 @@ class LoopSearch : public ClaspSearch {
   const geometry::ClaspTarget& reached_W() const;
   void tighten(planning::Path& path);
   void draw_task(std::mt19937_64& rng, Eigen::VectorXd& x) const;
+  bool is_stuck();
 
   Controller controller_;
   Eigen::Index dof_;
@@ -41,6 +42,10 @@ class LoopSearch : public ClaspSearch {
   ompl::base::SpaceInformationPtr si_;
   ompl::base::ProblemDefinitionPtr problem_;
   std::shared_ptr<planning::TaskSpaceRRT> planner_;
+  // Of the last step: the restarts before it, and the nodes of its tree.
+  std::int64_t restarts_ = 0;
+  std::size_t nodes_ = 0;
+  bool was_stuck_ = false;  // a tree was given up at its root
 };
 
 }  // namespace graspless::clasp
