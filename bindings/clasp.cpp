@@ -267,7 +267,11 @@ ValueError
           [](const Problem& self) -> const Rows3 { return columns(self.marks).transpose(); },
           "(N, 3) points in O near which to clasp [m]; none: anywhere.")
       .def_property_readonly(
-          "pull_W", [](const Problem& self) { return self.pull_W; },
+          "pull_W",
+          [](const Problem& self) -> std::optional<const Eigen::Vector3d> {
+            if (!self.pull_W) return std::nullopt;
+            return *self.pull_W;
+          },
           "(3,) direction of the later pull in W, or None.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"robot", "object", "obstacles", "loops", "pull_W"});

@@ -86,13 +86,13 @@ Eigen::Matrix3d to_inertia(const Array& rows) {
 void bind_object(py::module_& m) {
   py::class_<Face>(m, "Face", "Planar face of an object.")
       .def_property_readonly(
-          "n_O", [](const Face& self) { return self.n_O; },
+          "n_O", [](const Face& self) -> const Eigen::Vector3d { return self.n_O; },
           "(3,) unit normal in O, pointing into the object.")
       .def_property_readonly(
-          "first_O", [](const Face& self) { return self.first_O; },
+          "first_O", [](const Face& self) -> const Eigen::Vector3d { return self.first_O; },
           "(3,) unit vector of the first grid axis, along the face, in O.")
       .def_property_readonly(
-          "second_O", [](const Face& self) { return self.second_O; },
+          "second_O", [](const Face& self) -> const Eigen::Vector3d { return self.second_O; },
           "(3,) unit vector of the second grid axis, n_O x first_O.")
       .def_readonly("offset", &Face::offset, "n_O . p of the points p on the face [m].")
       .def_readonly("triangles", &Face::triangles,
@@ -208,7 +208,7 @@ void bind_surroundings(py::module_& m) {
            "    varies independently.")
       .def_readonly("name", &Plane::name, "Name in error messages and pictures.")
       .def_property_readonly(
-          "n_W", [](const Plane& self) { return self.n_W; },
+          "n_W", [](const Plane& self) -> const Eigen::Vector3d { return self.n_W; },
           "(3,) unit normal in the world, pointing out of the solid.")
       .def_readonly("offset", &Plane::offset, "n_W . p of the points p on its surface [m].")
       .def_property_readonly(
@@ -339,7 +339,7 @@ void bind_problem(py::module_& m) {
           "A Path, Lattice or Goal; a copy.")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in the world.")
       .def_property_readonly(
-          "gravity_W", [](const Problem& self) { return self.gravity_W; },
+          "gravity_W", [](const Problem& self) -> const Eigen::Vector3d { return self.gravity_W; },
           "(3,) acceleration of gravity in the world [m/s^2].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"object", "fingers", "planes", "friction", "motion", "obstacles"});

@@ -63,7 +63,8 @@ void bind_shapes(py::module_& m) {
            }),
            py::arg("size"), "size: (3,) side lengths [m], each in [1e-6, 10000].")
       .def_property_readonly(
-          "size", [](const Box& box) { return box.size; }, "(3,) side lengths [m].")
+          "size", [](const Box& box) -> const Eigen::Vector3d { return box.size; },
+          "(3,) side lengths [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"size"}); });
 
   py::class_<Sphere>(m, "Sphere", "A sphere centred at its frame's origin.")
@@ -166,11 +167,13 @@ void bind_polygon(py::module_& m) {
   py::class_<Polygon::Edge>(m, "Edge", "An edge of a polygon.")
       .def_readonly("index", &Polygon::Edge::index, "Index of its first vertex.")
       .def_property_readonly(
-          "a", [](const Polygon::Edge& edge) { return edge.a; }, "(2,) first end point [m].")
+          "a", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.a; },
+          "(2,) first end point [m].")
       .def_property_readonly(
-          "b", [](const Polygon::Edge& edge) { return edge.b; }, "(2,) second end point [m].")
+          "b", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.b; },
+          "(2,) second end point [m].")
       .def_property_readonly(
-          "inward", [](const Polygon::Edge& edge) { return edge.inward; },
+          "inward", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.inward; },
           "(2,) unit normal pointing inside.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"index", "a", "b", "inward"});

@@ -176,7 +176,7 @@ void bind_support(py::module_& m) {
            py::arg("least_thickness") = 0.0, "Any field by keyword.")
       .def_readonly("name", &Support::name, "Name: support_0 is the largest.")
       .def_property_readonly(
-          "polygon", [](const Support& self) { return from_ring(self.polygon); },
+          "polygon", [](const Support& self) -> const Rows2 { return from_ring(self.polygon); },
           "(N, 2) corners in S [m], counter-clockwise.")
       .def_property_readonly(
           "edges",
@@ -234,7 +234,7 @@ void bind_seen_object(py::module_& m) {
       .def_readonly("name", &Object::name, "Name: object_0 is nearest to the first camera.")
       .def_readonly("support", &Object::support, "Name of the support.")
       .def_property_readonly(
-          "outline", [](const Object& self) { return from_ring(self.outline); },
+          "outline", [](const Object& self) -> const Rows2 { return from_ring(self.outline); },
           "(N, 2) corners of the projection of what was seen onto the support, in O [m].")
       .def_property_readonly(
           "X_WO", [](const Object& self) -> const Pose { return from_pose(self.X_WO); },

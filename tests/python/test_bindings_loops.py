@@ -235,7 +235,7 @@ def test_hardly_any_gaps_between_random_points_are_holes(count):
 
 
 def test_all_points_of_an_even_cloud_are_used():
-    everything = LoopOptions(max_edge_length=0.02)
-    assert not any("random" in text for text in shortest_loops(RING, everything).warnings)
+    given = shortest_loops(open_box(3000, 0), LoopOptions(max_edge_length=0.02))
+    assert not any("random" in text for text in given.warnings)
     assert len(shortest_loops(RING).found) == 1
     assert not any("random" in text for text in shortest_loops(RING).warnings)

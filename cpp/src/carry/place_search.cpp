@@ -25,23 +25,27 @@ constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
 constexpr std::size_t kWaysDown = 3;        // of these, from which the object is lowered
 constexpr std::size_t kWithoutWay = 12;     // such configurations to which a tree is grown
 constexpr int kTreeIterations = 1000;       // of each
-constexpr int kTrees = 5;                   // to each of these
+constexpr int kTrees = 12;                  // grown at most once a way is known
 constexpr double kShortWay = 2;     // of the object, relative to its distance from the start
-constexpr double kNear = 0.2;       // distances that count as this one [m]
+constexpr double kNear = 0.2;       // shorter distances count as this [m]
 constexpr double kWayStep = 0.1;    // between the points that measure a way [rad]
 constexpr double kFarAway = -1000;  // height at which nothing is [m]
 
 /// Shortens the way of an object that is kept level. Few straight lines between the corners of a
-/// tree's path keep it so, but many between points that are nearer to each other.
-Path shortened(Path path, const planning::FreeSpace& space, std::mt19937_64& rng) {
+/// tree's path keep it so, but many between points that are nearer to each other. Parts of motions
+/// are not tested where check() tests them, so all motions are tested again at the end.
+Path shortened(const Path& path, const planning::FreeSpace& space, std::mt19937_64& rng) {
   constexpr int kPasses = 6, kRounds = 100;
   constexpr double kPiece = 0.2;  // [rad]
   const planning::Connect straight = [&](const VectorXd& a, const VectorXd& b) {
     return space.is_motion_free(a, b) ? std::optional(Path{a, b}) : std::nullopt;
   };
+  Path shorter = path;
   for (int i = 0; i < kPasses && !space.is_out(); ++i)
-    path = planning::shortcut(planning::subdivided(path, kPiece), straight, kRounds, rng);
-  return path;
+    shorter = planning::shortcut(planning::subdivided(shorter, kPiece), straight, kRounds, rng);
+  for (std::size_t i = 1; i < shorter.size(); ++i)
+    if (!space.is_motion_free(shorter[i - 1], shorter[i])) return path;
+  return shorter;
 }
 
 robot::Ik without_whole_turns(const Problem& problem) {
@@ -69,6 +73,7 @@ PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, plannin
       hand_(links_with(problem.robot, frame_, ik_.group())) {
   add_obstacles(scene_, object_, problem, options);
   hanging_ = add_hanging(scene_, frame_, hand_, problem);
+  space_ = held_space();
   hold(0);
 }
 
@@ -88,7 +93,8 @@ void PlaceSearch::run(Plan& plan) {
       hold(options_.height);
       std::optional<Putting> putting = put_at(static_cast<int>(tried), q);
       if (!putting) continue;
-      if (const auto direct = way_to(*putting, 0)) return assemble(*direct, *putting, plan);
+      if (const auto direct = way_to(*putting, 0))
+        return assemble(in_full(*direct), *putting, plan);
       without_way.push_back(std::move(*putting));
       if (++found == kWaysDown) break;
     }
@@ -107,24 +113,32 @@ bool PlaceSearch::go_around(const std::vector<Putting>& puttings, Plan& plan) {
   Path best;
   const Putting* to = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kTrees && least > kShortWay && !clock_.is_out(); ++i) {
-    for (const Putting& putting : puttings) {
-      if (clock_.is_out() || least <= kShortWay) break;
-      std::optional<Path> way = way_to(putting, kTreeIterations);
-      if (!way) {
+  const auto look_at = [&](const Path& arm, const Putting& putting) {
+    const Path way = in_full(arm);
+    const double detour = detour_of(way);
+    if (detour >= least) return;
+    least = detour;
+    best = way;
+    to = &putting;
+  };
+  const auto improve = [&] {
+    for (int left = kTrees, i = 0; left > 0 && !clock_.is_out(); ++i) {
+      const Putting& putting = puttings[static_cast<std::size_t>(i) % puttings.size()];
+      const std::optional<Path> way = way_to(putting, kTreeIterations);
+      if (way) {
+        look_at(*way, putting);
+        look_at(shortened(*way, space_, rng_), putting);
+      } else {
         refuse("no way from the start");
-        continue;
       }
-      const double detour = detour_of(*way);
-      if (detour >= least) continue;
-      least = detour;
-      best = std::move(*way);
-      to = &putting;
+      if (least <= kShortWay) return;
+      const bool is_round = static_cast<std::size_t>(i) + 1 >= puttings.size();
+      if (to) --left;
+      if (!to && is_round) return;  // all have used their iterations
     }
-    if (!to) break;  // all have used their iterations
-  }
-  if (to) assemble(best, *to, plan);
-  return to != nullptr;
+  };
+  if (!puttings.empty()) clock_.run(improve);
+  return to && clock_.conclude([&] { assemble(best, *to, plan); });
 }
 
 /// Length of the object's way along a path, relative to the distance between its ends.
@@ -246,25 +260,36 @@ bool PlaceSearch::go_straight(int place, Plan& plan) {
   return true;
 }
 
-std::optional<Path> PlaceSearch::way_to(const Putting& putting, int iterations) {
-  hold(0);
+/// The arm's free space, in which it keeps the held object level.
+planning::FreeSpace PlaceSearch::held_space() {
   const planning::Joints joints{ik_.group(), problem_.q_start};
   planning::FreeSpace space;
   space.lower = joints.part(problem_.robot.lower());
   space.upper = joints.part(problem_.robot.upper());
-  space.is_free = [&](const VectorXd& arm) {
+  space.is_free = [this, joints](const VectorXd& arm) {
     return is_level(joints.full(arm)) && scene_.is_free(joints.full(arm));
   };
-  space.is_motion_free = [&](const VectorXd& a, const VectorXd& b) {
+  space.is_motion_free = [this, joints](const VectorXd& a, const VectorXd& b) {
     return is_level(joints.full(a), joints.full(b)) && is_free(joints.full(a), joints.full(b));
   };
-  space.is_out = [&] { return clock_.is_out(); };
-  const auto arm = planning::find_free_path(space, joints.part(problem_.q_start),
-                                            joints.part(putting.lower.front()), iterations, rng_);
-  if (!arm) return std::nullopt;
-  Path way;
-  for (const VectorXd& at : shortened(*arm, space, rng_)) way.push_back(joints.full(at));
-  return way;
+  space.is_out = [this] { return clock_.is_out(); };
+  return space;
+}
+
+/// Configurations of all joints where the hand is as at the start.
+Path PlaceSearch::in_full(const Path& arm) const {
+  const planning::Joints joints{ik_.group(), problem_.q_start};
+  Path path;
+  for (const VectorXd& q : arm) path.push_back(joints.full(q));
+  return path;
+}
+
+/// A way of the arm from the start to a place, with the object held.
+std::optional<Path> PlaceSearch::way_to(const Putting& putting, int iterations) {
+  hold(0);
+  const planning::Joints joints{ik_.group(), problem_.q_start};
+  return planning::find_free_path(space_, joints.part(problem_.q_start),
+                                  joints.part(putting.lower.front()), iterations, rng_);
 }
 
 void PlaceSearch::assemble(const Path& transfer, const Putting& putting, Plan& plan) const {

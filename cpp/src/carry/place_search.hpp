@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graspless/carry/carry.hpp"
+#include "graspless/planning/free_path.hpp"
 #include "graspless/planning/path.hpp"
 #include "graspless/robot/ik.hpp"
 #include "graspless/scene/scene.hpp"
@@ -48,6 +49,8 @@ class PlaceSearch {
   std::optional<planning::Path> follow(const Eigen::VectorXd& q,
                                        const std::vector<Eigen::Isometry3d>& poses);
   void assemble(const planning::Path& transfer, const Putting& putting, Plan& plan) const;
+  planning::FreeSpace held_space();
+  planning::Path in_full(const planning::Path& arm) const;
   std::optional<planning::Path> way_to(const Putting& putting, int iterations);
   bool go_around(const std::vector<Putting>& puttings, Plan& plan);
   double detour_of(const planning::Path& path) const;
@@ -77,8 +80,9 @@ class PlaceSearch {
   Eigen::Vector3d up_O_;  // the support's normal at the places, in O
   scene::Scene scene_;
   int object_;
-  int hanging_ = -1;       // the object as it hangs
-  std::vector<int> hand_;  // links that move with the object
+  int hanging_ = -1;           // the object as it hangs
+  std::vector<int> hand_;      // links that move with the object
+  planning::FreeSpace space_;  // of the arm that holds the object
   Statistics statistics_;
 };
 

@@ -68,9 +68,12 @@ void refit(Plane& plane, const std::vector<Cell>& cells) {
     if (lies_in(cell, plane)) plane.cells.push_back(cell);
   }
   if (plane.cells.size() < 3) return;
-  const double roughest = kRough * std::max(1.0, median_roughness(plane.cells));
-  const auto weight = [roughest](const Cell& cell) {
-    return cell.roughness > roughest ? 0 : 1 / (cell.deviation * cell.deviation);
+  constexpr std::ptrdiff_t kFew = 12;  // cells, of which none is left out
+  const double usual = kRough * std::max(1.0, median_roughness(plane.cells));
+  const auto is_smooth = [usual](const Cell& cell) { return cell.roughness <= usual; };
+  const bool has_many = std::count_if(plane.cells.begin(), plane.cells.end(), is_smooth) > kFew;
+  const auto weight = [&](const Cell& cell) {
+    return has_many && !is_smooth(cell) ? 0 : 1 / (cell.deviation * cell.deviation);
   };
   double weights = 0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

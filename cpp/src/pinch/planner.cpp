@@ -141,7 +141,7 @@ class Search {
       return std::nullopt;
     }
     if (!is_by_faces(end, grasp.faces.width)) {
-      refuse("closing: another part of a finger touches than its face");
+      refuse("closing: a part of a finger other than its face touches");
       return std::nullopt;
     }
     std::vector<Eigen::Isometry3d> outwards;

@@ -204,6 +204,7 @@ TEST(Perceive, BoxesOnATableDoNotTiltItInACoarseImage) {
     ASSERT_NE(support, nullptr);
     EXPECT_LT(std::acos(support->X_WS.linear()(2, 2)), 1.5e-3);
     const Eigen::Matrix2Xd& corners = support->polygon.vertices();
+    EXPECT_GT(lengths_of(*support)[EdgeLabel::real], 3) << seed;
     for (Eigen::Index i = 0; i < corners.cols(); ++i) {
       if (support->edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
       const Eigen::Vector2d middle = (corners.col(i) + corners.col((i + 1) % corners.cols())) / 2;

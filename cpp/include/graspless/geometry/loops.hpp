@@ -59,7 +59,7 @@ struct LoopOptions {
   /// to about max_points / 2, and independent random points to a third, unless rays or
   /// max_edge_length are given.
   int max_points = 5000;
-  /// Shorten the loops of a downsampled cloud on all its points, at most 10^6.
+  /// Shorten the loops of a cloud of more than `max_points` on all its points, at most 10^6.
   bool polish = false;
   /// Discard loops that run around a thick handle instead of along it.
   bool drop_meridians = true;
@@ -96,9 +96,9 @@ struct Loops {
 
 /// Finds the loops through the holes of the object that a cloud was taken from: a shortest basis of
 /// H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork 2013, Section IV-A). Exact for clouds of up to
-/// `max_points`. `points`: 3 x n [m]. Throws std::invalid_argument on fewer than 20 distinct
-/// points, values that are not finite, points in a plane, more than 10^7 points (10^6 with
-/// `polish`), or invalid options or rays.
+/// `max_points` that are not thinned. `points`: 3 x n [m]. Throws std::invalid_argument on fewer
+/// than 20 distinct points, values that are not finite, points in a plane, more than 10^7 points
+/// (10^6 with `polish`), or invalid options or rays.
 ///
 /// `rays`: of the cameras that saw the points. A loop is then a hole if rays passed through it: if
 /// they are linked with it and do not end on the object. Without them the distances between the

@@ -42,7 +42,7 @@ class LoopSearch : public ClaspSearch {
   ompl::base::SpaceInformationPtr si_;
   ompl::base::ProblemDefinitionPtr problem_;
   std::shared_ptr<planning::TaskSpaceRRT> planner_;
-  // Of the last step: the restarts before it, and the nodes of its tree.
+  // Before the last step: the restarts, and the nodes of its tree.
   std::int64_t restarts_ = 0;
   std::size_t nodes_ = 0;
   bool was_stuck_ = false;  // a tree was given up at its root

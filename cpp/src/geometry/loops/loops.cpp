@@ -250,8 +250,8 @@ void choose_complex(const Filtration& filtration, Loops& result) {
   result.surface = surface_of(result.complex, Resolution(result.complex));
 }
 
-/// Gaps between independent random points look like holes, but not between every third of them
-/// that are spread more evenly.
+/// Gaps between independent random points look like holes; those between a third of them, spread
+/// more evenly, hardly ever do.
 constexpr int kThinned = 3;
 
 /// True of independent random points on a surface, if there are enough to thin them.
@@ -284,7 +284,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   require_points(points, "points");
   const bool downsamples = points.cols() > options.max_points;
   const int most = downsamples ? options.max_points / 2 : static_cast<int>(points.cols());
-  const bool is_thinned = most > points.cols() / kThinned && !options.max_edge_length &&
+  const bool is_thinned = most > points.cols() / kThinned && options.max_edge_length == 0 &&
                           rays.empty() && are_random(points);
   const int used = is_thinned ? static_cast<int>(points.cols()) / kThinned : most;
   const std::vector<int> columns =

@@ -71,7 +71,7 @@ double AlphaShapes::median_spacing() const {
 
 // The shortest steps that join all points are edges of the Delaunay triangulation.
 int AlphaShapes::count_strays(double longest) const {
-  const int count = static_cast<int>(delaunay_.number_of_vertices());
+  const int count = num_points();
   DisjointSets groups(count);
   for (const auto& [face, i] : delaunay_.finite_edges()) {
     poll();

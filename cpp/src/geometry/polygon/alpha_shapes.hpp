@@ -51,8 +51,11 @@ class AlphaShapes {
   /// Median distance of a point to its nearest neighbour [m].
   double median_spacing() const;
 
-  /// Number of points that steps of at most `longest` from point to point do not join with most of
-  /// the others [m].
+  /// Number of distinct points.
+  int num_points() const { return static_cast<int>(delaunay_.number_of_vertices()); }
+
+  /// Number of distinct points that steps of at most `longest` [m] from point to point do not join
+  /// with most of the others.
   int count_strays(double longest) const;
 
   /// Boundaries of the shape, with the interior on the left. Where the shape touches itself at a

@@ -72,14 +72,14 @@ std::optional<Polygon> outer_polygon(const AlphaShapes& shapes, double alpha, do
 }
 
 /// Throws if one piece is possible only by bridging a gap of many spacings, as with stray points or
-/// several objects. A few points are stray from a smaller gap on: points that are spread at random
+/// several objects. A few points count as stray at a smaller gap: points that are spread at random
 /// have gaps of four.
-void require_one_piece(const AlphaShapes& shapes, double gap, int count, const std::string& what) {
+void require_one_piece(const AlphaShapes& shapes, double gap, const std::string& what) {
   constexpr double kSpacings = 12, kOfStray = 6;
   constexpr double kFew = 0.02;  // of all points
   const double spacing = shapes.median_spacing();
   const int strays = shapes.count_strays(kOfStray * spacing);
-  if (strays > 0 && strays <= kFew * count) {
+  if (strays > 0 && strays <= kFew * shapes.num_points()) {
     throw std::invalid_argument(what + " have " + std::to_string(strays) +
                                 (strays == 1 ? " stray point" : " stray points") + ", more than " +
                                 figure(kOfStray * spacing) + " m from the other ones, which are " +
@@ -134,7 +134,7 @@ Polygon outline(const Eigen::Matrix2Xd& points, const std::string& what) {
   }
   double alpha = shapes.optimal_alpha();
   const double spacing = std::sqrt(alpha);  // radius of the largest empty disc [m]
-  require_one_piece(shapes, spacing, static_cast<int>(points.cols()), what);
+  require_one_piece(shapes, spacing, what);
   for (int attempt = 0; attempt < 60; ++attempt, alpha *= 1.5) {
     if (auto polygon = outer_polygon(shapes, alpha, spacing / 4)) return *polygon;
   }

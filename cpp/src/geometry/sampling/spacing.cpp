@@ -67,8 +67,8 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
   }
 }
 
-/// Squared distances to the nearest neighbours, of which the least are exact, up to the quantile
-/// `share`; none if no two points differ.
+/// Squared distances to the nearest neighbours, of which the least are exact, up to the median and
+/// the quantile `share`; none if no two points differ.
 std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, double share) {
   require_points(cloud, "points");
   if (cloud.cols() < 2) return {};
@@ -80,7 +80,9 @@ std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, double share) {
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);
     find_nearest(points, grid, nearest);
-    if (std::sqrt(quantile(nearest, share)) <= grid.cell()) return nearest;
+    const bool is_exact =
+        std::sqrt(std::max(median(nearest), quantile(nearest, share))) <= grid.cell();
+    if (is_exact) return nearest;
   }
 }
 
