@@ -17,10 +17,17 @@ ends_with_command = False  # True in a process that runs one command and ends
 
 FOUND, NOT_FOUND, BAD_INPUT, INTERRUPTED, CLOSED_PIPE = 0, 1, 2, 130, 141
 
-EXIT_CODES = """exit codes:
-  0    success: a plan was found, and it passes its check
-  1    no plan was found, or a plan fails its check
-  2    bad input, or output that cannot be written
+
+def exit_codes(
+    failure: str = "no plan was found, or a plan fails its check",
+    success: str = "a plan was found, and it passes its check",
+    bad_input: str = "bad input, or output that cannot be written",
+) -> str:
+    """Returns what the exit codes of a command mean, for its help."""
+    return f"""exit codes:
+  0    success: {success}
+  1    {failure}
+  2    {bad_input}
   130  interrupted
   141  the reader of the output closed the pipe
   143  terminated (SIGTERM)"""

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "graspless/planning/free_path.hpp"
 #include "graspless/watch.hpp"
@@ -20,33 +19,10 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d, Eigen::VectorXd;
 using planning::Path;
 
-constexpr double kTurnPoint = 0.03;         // between their attitudes [rad]
 constexpr std::size_t kConfigurations = 6;  // of the arm, for each place
 constexpr std::size_t kWaysDown = 3;        // of these, from which the object is lowered
-constexpr std::size_t kWithoutWay = 12;     // such configurations to which a tree is grown
-constexpr int kTreeIterations = 1000;       // of each
-constexpr int kTrees = 12;                  // grown at most once a way is known
-constexpr double kShortWay = 2;     // of the object, relative to its distance from the start
-constexpr double kNear = 0.2;       // shorter distances count as this [m]
-constexpr double kWayStep = 0.1;    // between the points that measure a way [rad]
-constexpr double kFarAway = -1000;  // height at which nothing is [m]
-
-/// Shortens the way of an object that is kept level. Few straight lines between the corners of a
-/// tree's path keep it so, but many between points that are nearer to each other. Parts of motions
-/// are not tested where check() tests them, so all motions are tested again at the end.
-Path shortened(const Path& path, const planning::FreeSpace& space, std::mt19937_64& rng) {
-  constexpr int kPasses = 6, kRounds = 100;
-  constexpr double kPiece = 0.2;  // [rad]
-  const planning::Connect straight = [&](const VectorXd& a, const VectorXd& b) {
-    return space.is_motion_free(a, b) ? std::optional(Path{a, b}) : std::nullopt;
-  };
-  Path shorter = path;
-  for (int i = 0; i < kPasses && !space.is_out(); ++i)
-    shorter = planning::shortcut(planning::subdivided(shorter, kPiece), straight, kRounds, rng);
-  for (std::size_t i = 1; i < shorter.size(); ++i)
-    if (!space.is_motion_free(shorter[i - 1], shorter[i])) return path;
-  return shorter;
-}
+constexpr std::size_t kWithoutWay = 12;     // such configurations to which trees are grown
+constexpr double kFarAway = -1000;          // height at which nothing is [m]
 
 robot::Ik without_whole_turns(const Problem& problem) {
   robot::Ik::Options options;
@@ -73,7 +49,6 @@ PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, plannin
       hand_(links_with(problem.robot, frame_, ik_.group())) {
   add_obstacles(scene_, object_, problem, options);
   hanging_ = add_hanging(scene_, frame_, hand_, problem);
-  space_ = held_space();
   hold(0);
 }
 
@@ -93,8 +68,7 @@ void PlaceSearch::run(Plan& plan) {
       hold(options_.height);
       std::optional<Putting> putting = put_at(static_cast<int>(tried), q);
       if (!putting) continue;
-      if (const auto direct = way_to(*putting, 0))
-        return assemble(in_full(*direct), *putting, plan);
+      if (const auto direct = way_to(*putting, 0)) return assemble(*direct, *putting, plan);
       without_way.push_back(std::move(*putting));
       if (++found == kWaysDown) break;
     }
@@ -105,53 +79,6 @@ void PlaceSearch::run(Plan& plan) {
     if (go_straight(place, plan)) return;
   }
   if (!go_around(without_way, plan)) fail(tried, plan);
-}
-
-/// Goes to one of some places by a tree. Of several ways, the one on which the object travels least
-/// is taken, unless one is short.
-bool PlaceSearch::go_around(const std::vector<Putting>& puttings, Plan& plan) {
-  Path best;
-  const Putting* to = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  const auto look_at = [&](const Path& arm, const Putting& putting) {
-    const Path way = in_full(arm);
-    const double detour = detour_of(way);
-    if (detour >= least) return;
-    least = detour;
-    best = way;
-    to = &putting;
-  };
-  const auto improve = [&] {
-    for (int left = kTrees, i = 0; left > 0 && !clock_.is_out(); ++i) {
-      const Putting& putting = puttings[static_cast<std::size_t>(i) % puttings.size()];
-      const std::optional<Path> way = way_to(putting, kTreeIterations);
-      if (way) {
-        look_at(*way, putting);
-        look_at(shortened(*way, space_, rng_), putting);
-      } else {
-        refuse("no way from the start");
-      }
-      if (least <= kShortWay) return;
-      const bool is_round = static_cast<std::size_t>(i) + 1 >= puttings.size();
-      if (to) --left;
-      if (!to && is_round) return;  // all have used their iterations
-    }
-  };
-  if (!puttings.empty()) clock_.run(improve);
-  return to && clock_.conclude([&] { assemble(best, *to, plan); });
-}
-
-/// Length of the object's way along a path, relative to the distance between its ends.
-double PlaceSearch::detour_of(const Path& path) const {
-  const Vector3d start = object_at(path.front()).translation();
-  Vector3d last = start;
-  double length = 0;
-  for (const VectorXd& q : planning::subdivided(path, kWayStep)) {
-    const Vector3d p = object_at(q).translation();
-    length += (p - last).norm();
-    last = p;
-  }
-  return length / std::max((last - start).norm(), kNear);
 }
 
 /// Fixes the object to the hand. As it hangs, it may be lower than the support by `depth` [m].
@@ -232,64 +159,6 @@ std::optional<PlaceSearch::Putting> PlaceSearch::let_go(int place, Path lower) {
     return std::nullopt;
   }
   return Putting{place, std::move(lower), {q, opened}, std::move(*away)};
-}
-
-/// Goes to a place straight and level, and straight down, as far as the inverse kinematics follows
-/// from the start.
-bool PlaceSearch::go_straight(int place, Plan& plan) {
-  hold(0);
-  const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
-  const StraightPath way(problem_.object.X_WB, Eigen::Translation3d(rise(place)) * X_WO);
-  const int steps = std::max({1, static_cast<int>(std::ceil(way.distance() / kWaypoint)),
-                              static_cast<int>(std::ceil(way.angle() / kTurnPoint))});
-  std::vector<Isometry3d> poses;
-  for (int i = 1; i <= steps; ++i)
-    poses.push_back(way.pose(static_cast<double>(i) / steps, 0) * X_FO_.inverse());
-  const std::optional<Path> transfer = follow(problem_.q_start, poses);
-  if (!transfer) return false;
-  for (std::size_t i = 0; i + 1 < transfer->size(); ++i)
-    if (!is_level((*transfer)[i], (*transfer)[i + 1])) return false;
-  hold(options_.height);
-  const VectorXd& above = transfer->back();
-  std::optional<Path> lower =
-      follow(above, line(above, -rise(place).normalized(), rise(place).norm()));
-  if (!lower) return false;
-  const std::optional<Putting> putting = let_go(place, std::move(*lower));
-  if (!putting) return false;
-  assemble(*transfer, *putting, plan);
-  return true;
-}
-
-/// The arm's free space, in which it keeps the held object level.
-planning::FreeSpace PlaceSearch::held_space() {
-  const planning::Joints joints{ik_.group(), problem_.q_start};
-  planning::FreeSpace space;
-  space.lower = joints.part(problem_.robot.lower());
-  space.upper = joints.part(problem_.robot.upper());
-  space.is_free = [this, joints](const VectorXd& arm) {
-    return is_level(joints.full(arm)) && scene_.is_free(joints.full(arm));
-  };
-  space.is_motion_free = [this, joints](const VectorXd& a, const VectorXd& b) {
-    return is_level(joints.full(a), joints.full(b)) && is_free(joints.full(a), joints.full(b));
-  };
-  space.is_out = [this] { return clock_.is_out(); };
-  return space;
-}
-
-/// Configurations of all joints where the hand is as at the start.
-Path PlaceSearch::in_full(const Path& arm) const {
-  const planning::Joints joints{ik_.group(), problem_.q_start};
-  Path path;
-  for (const VectorXd& q : arm) path.push_back(joints.full(q));
-  return path;
-}
-
-/// A way of the arm from the start to a place, with the object held.
-std::optional<Path> PlaceSearch::way_to(const Putting& putting, int iterations) {
-  hold(0);
-  const planning::Joints joints{ik_.group(), problem_.q_start};
-  return planning::find_free_path(space_, joints.part(problem_.q_start),
-                                  joints.part(putting.lower.front()), iterations, rng_);
 }
 
 void PlaceSearch::assemble(const Path& transfer, const Putting& putting, Plan& plan) const {

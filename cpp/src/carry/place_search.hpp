@@ -50,7 +50,7 @@ class PlaceSearch {
                                        const std::vector<Eigen::Isometry3d>& poses);
   void assemble(const planning::Path& transfer, const Putting& putting, Plan& plan) const;
   planning::FreeSpace held_space();
-  planning::Path in_full(const planning::Path& arm) const;
+  planning::Path shortened(const planning::Path& path);
   std::optional<planning::Path> way_to(const Putting& putting, int iterations);
   bool go_around(const std::vector<Putting>& puttings, Plan& plan);
   double detour_of(const planning::Path& path) const;
@@ -80,9 +80,8 @@ class PlaceSearch {
   Eigen::Vector3d up_O_;  // the support's normal at the places, in O
   scene::Scene scene_;
   int object_;
-  int hanging_ = -1;           // the object as it hangs
-  std::vector<int> hand_;      // links that move with the object
-  planning::FreeSpace space_;  // of the arm that holds the object
+  int hanging_ = -1;       // the object as it hangs
+  std::vector<int> hand_;  // links that move with the object
   Statistics statistics_;
 };
 

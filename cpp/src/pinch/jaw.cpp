@@ -9,6 +9,7 @@
 #include <string>
 #include <variant>
 
+#include "geometry/box_mesh.hpp"
 #include "robot/names.hpp"
 #include "robot/rates.hpp"
 
@@ -64,18 +65,6 @@ geometry::Mesh part_of(const geometry::Mesh& mesh, const Vector3d& along, double
   return {Eigen::Map<const Eigen::Matrix3Xd>(corners.front().data(), 3, count), {}};
 }
 
-geometry::Mesh as_mesh(const geometry::Box& box) {
-  geometry::Mesh mesh{Eigen::Matrix3Xd(3, 8), Eigen::Matrix3Xi(3, 12)};
-  for (int i = 0; i < 8; ++i) {
-    const Vector3d side(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
-    mesh.vertices.col(i) = side.cwiseProduct(box.size);
-  }
-  mesh.triangles << 0, 0, 4, 4, 0, 0, 2, 2, 0, 0, 1, 1,  //
-      2, 3, 5, 7, 1, 5, 6, 7, 4, 6, 3, 7,                //
-      3, 1, 7, 6, 5, 4, 7, 3, 6, 2, 7, 5;
-  return mesh;
-}
-
 /// The shapes of a finger that reach its end; of meshes and boxes, the part within `pad` of it [m].
 /// What is behind may be wider, and holds nothing.
 LinkShapes at_end(const slide::Problem& problem, const LinkShapes& finger, const Eigen::VectorXd& q,
@@ -91,7 +80,7 @@ LinkShapes at_end(const slide::Problem& problem, const LinkShapes& finger, const
     if (geometry::extent(placed[i], forward) <= least + kRounding) continue;
     found.push_back(finger[i]);
     geometry::Shape& shape = found.back().placed.shape;
-    if (const auto* box = std::get_if<geometry::Box>(&shape)) shape = as_mesh(*box);
+    if (const auto* box = std::get_if<geometry::Box>(&shape)) shape = geometry::box_mesh(box->size);
     auto* mesh = std::get_if<geometry::Mesh>(&shape);
     if (mesh == nullptr) continue;
     const Isometry3d& X_HG = placed[i].X_BG;

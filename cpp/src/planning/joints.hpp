@@ -24,6 +24,11 @@ struct Joints {
       out[index[static_cast<std::size_t>(i)]] = part[i];
     return out;
   }
+  std::vector<Eigen::VectorXd> full(const std::vector<Eigen::VectorXd>& parts) const {
+    std::vector<Eigen::VectorXd> all;
+    for (const Eigen::VectorXd& part : parts) all.push_back(full(part));
+    return all;
+  }
 };
 
 }  // namespace graspless::planning

@@ -42,9 +42,7 @@ std::optional<Configurations> free_path(Hand& hand, const Eigen::VectorXd& from,
   const auto path =
       planning::find_free_path(space, joints.part(from), joints.part(to), iterations, rng);
   if (!path) return std::nullopt;
-  Configurations full;
-  for (const Eigen::VectorXd& part : *path) full.push_back(joints.full(part));
-  return planning::subdivided(full, hand.options.max_jump);
+  return planning::subdivided(joints.full(*path), hand.options.max_jump);
 }
 
 /// Motions on the manifold where the held fingertips stay where they are.

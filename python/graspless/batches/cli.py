@@ -11,23 +11,13 @@ import shlex
 import sys
 from typing import TYPE_CHECKING
 
-from .._commands import FOUND, INTERRUPTED, NOT_FOUND, add_seconds, add_trust
+from .._commands import FOUND, INTERRUPTED, NOT_FOUND, add_seconds, add_trust, exit_codes
 
 if TYPE_CHECKING:
     import argparse
     from collections.abc import Callable, Iterator
 
-EPILOG = """exit codes:
-  0    success: all plans were found, and all pass their checks
-  1    a plan was not found, or fails its check or, with --prove, a trial;
-       or a task file is bad
-  2    the batch cannot run, for instance because there are no tasks, or output
-       cannot be written
-  130  interrupted
-  141  the reader of the output closed the pipe
-  143  terminated (SIGTERM)
-
-after Ctrl-C, the same command resumes the batch
+EXAMPLE = """after Ctrl-C, the same command resumes the batch
 
 example: graspless batch tasks/ -o plans --jobs 2"""
 
@@ -44,7 +34,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "at the end. A task that already has a plan and has not changed since is not\n"
         "planned again."
     )
-    parser.epilog = EPILOG
+    codes = exit_codes(
+        "a plan was not found, or fails its check or, with --prove, a trial;\n"
+        "       or a task file is bad",
+        "all plans were found, and all pass their checks",
+        "the batch cannot run, for instance because there are no tasks, or output\n"
+        "       cannot be written",
+    )
+    parser.epilog = f"{codes}\n\n{EXAMPLE}"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(
         "tasks",

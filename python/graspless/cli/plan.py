@@ -10,12 +10,12 @@ import sys
 from typing import Any
 
 from .._commands import (
-    EXIT_CODES,
     FOUND,
     INTERRUPTED,
     NOT_FOUND,
     add_seconds,
     add_trust,
+    exit_codes,
     read_stdin,
     require_apart,
 )
@@ -31,8 +31,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "Plan a task, check the plan and write it. A plan file is written in any case;\n"
         "if no plan was found, it says why, and an existing solved plan is kept as NAME~."
     )
-    failures = " or, with --prove, a trial,\n       or is not certified with --certify"
-    codes = EXIT_CODES.replace("fails its check", f"fails its check{failures}")
+    codes = exit_codes(
+        "no plan was found, or a plan fails its check or, with --prove, a trial,\n"
+        "       or is not certified with --certify"
+    )
     parser.epilog = f"{codes}\n\nexample: graspless plan task.yaml -o plan.json --html plan.html"
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.add_argument(

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _data
 from .._commands import (
-    EXIT_CODES,
     FOUND,
     NOT_FOUND,
     add_packages,
     add_seconds,
     add_trust,
+    exit_codes,
     given_packages,
 )
 from ..errors import TaskError
@@ -36,9 +36,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "tumble or push it with two fingertips, and lift it. The plan is a chain; if there is\n"
         "none, the table says why not for each strategy."
     )
-    parser.epilog = (
-        f"{EXIT_CODES}\n\nexample: graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
-    )
+    example = "graspless pick scene.yaml object_0 --robot wam_t42 -o plan.json"
+    parser.epilog = f"{exit_codes()}\n\nexample: {example}"
     parser.add_argument(
         "scene",
         metavar="SCENE.yaml",

@@ -11,6 +11,7 @@ therefore hold from T / 2 before to T / 2 after them.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +42,7 @@ ROUNDING = 1e-9  # part of a motion, below which a window is lost in rounding
 ACCEPTED = 0.01  # relative excess above which the grid is refined
 LITTLE = 0.025  # relative excess that is refined only while that helps
 HELPED = 0.7  # most of an excess that a refinement that helps leaves
-GAPS = (0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # least steps of the grids, in lengths of the path
+GAPS = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # least steps of the grids, in lengths of the path
 
 
 @np.errstate(all="ignore")  # limits near the ends of the range of numbers: see motion._made
@@ -103,13 +104,13 @@ def _found(
     Where steps are very short, rounding errors can hide every motion from toppra: then those grids
     are tried that have only some of the points.
     """
+    some, factors = grid, slowed
     for gap in GAPS:
+        with contextlib.suppress(NoMotionError):
+            return some, factors, *_solved(path, zones, some, factors, window)
         kept = _spaced(grid, gap * path.length)
-        try:
-            return grid[kept], slowed[kept], *_solved(path, zones, grid[kept], slowed[kept], window)
-        except NoMotionError:
-            continue
-    raise NoMotionError
+        some, factors = grid[kept], slowed[kept]
+    return some, factors, *_solved(path, zones, some, factors, window)
 
 
 def _spaced(grid: Matrix, gap: float) -> list[int]:

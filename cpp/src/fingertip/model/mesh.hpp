@@ -22,9 +22,6 @@ Eigen::Matrix3Xi neighbours(const geometry::Mesh& mesh);
 /// of less volume pass [m^3].
 void require_outward(const geometry::Mesh& mesh, double least_volume, const std::string& what);
 
-/// The mesh of a box centred at the origin, sides along the axes [m].
-geometry::Mesh box_mesh(const Eigen::Vector3d& size);
-
 /// Of the solid that a closed outward mesh bounds, per unit of density.
 struct MassProperties {
   double volume = 0;                                  // [m^3]

@@ -11,6 +11,7 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include "fingertip/model/mesh.hpp"
+#include "geometry/box_mesh.hpp"
 #include "geometry/convex_hull.hpp"
 #include "text.hpp"
 
@@ -53,7 +54,7 @@ Object::Object(std::string name, geometry::Mesh mesh, double mass)
 
 Object Object::box(const std::string& name, const Eigen::Vector3d& size, double mass) {
   geometry::validate(geometry::Box{size}, called(name));
-  return from_mesh(name, box_mesh(size), mass);
+  return from_mesh(name, geometry::box_mesh(size), mass);
 }
 
 Object Object::from_mesh(const std::string& name, const geometry::Mesh& mesh, double mass) {

@@ -67,9 +67,10 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
   }
 }
 
-/// Squared distances to the nearest neighbours, of which the least are exact, up to the median and
-/// the quantile `share`; none if no two points differ.
-std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, double share) {
+/// Squared distances to the nearest neighbours, of which the least are exact: as many as the value
+/// that `last` finds among them; none if no two points differ.
+template <class Last>
+std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, const Last& last) {
   require_points(cloud, "points");
   if (cloud.cols() < 2) return {};
   const Eigen::Matrix3Xd points = distinct(cloud);
@@ -80,24 +81,25 @@ std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, double share) {
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);
     find_nearest(points, grid, nearest);
-    const bool is_exact =
-        std::sqrt(std::max(median(nearest), quantile(nearest, share))) <= grid.cell();
-    if (is_exact) return nearest;
+    if (std::sqrt(last(nearest)) <= grid.cell()) return nearest;
   }
 }
 
 }  // namespace
 
 double spacing(const Eigen::Matrix3Xd& points) {
-  std::vector<double> nearest = nearest_of(points, 0.5);
+  std::vector<double> nearest = nearest_of(points, median<double>);
   return nearest.empty() ? 0 : std::sqrt(median(nearest));
 }
 
 double unevenness(const Eigen::Matrix3Xd& points) {
-  const std::vector<double> nearest = nearest_of(points, 0.75);
+  const auto distance = [](const std::vector<double>& squares, double share) {
+    return std::sqrt(quantile(squares, share));
+  };
+  const std::vector<double> nearest =
+      nearest_of(points, [](const auto& squares) { return quantile(squares, 0.75); });
   if (nearest.empty()) return 0;
-  const auto distance = [&](double share) { return std::sqrt(quantile(nearest, share)); };
-  return (distance(0.75) - distance(0.25)) / distance(0.5);
+  return (distance(nearest, 0.75) - distance(nearest, 0.25)) / distance(nearest, 0.5);
 }
 
 }  // namespace graspless::geometry

@@ -14,6 +14,7 @@
 #include "complaint.hpp"
 #include "fingertip/meshes.hpp"
 #include "fingertip/model/mesh.hpp"
+#include "geometry/box_mesh.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -117,7 +118,7 @@ TEST(FingertipObject, TakesAnotherCentreAndInertia) {
 /// Both meshes, the second one scaled, moved and perhaps inside out.
 geometry::Mesh with_cube(geometry::Mesh mesh, double size, const Eigen::Vector3d& center,
                          bool is_inverted) {
-  geometry::Mesh cube = box_mesh({size, size, size});
+  geometry::Mesh cube = geometry::box_mesh({size, size, size});
   cube.vertices.colwise() += center;
   if (is_inverted) cube.triangles.row(1).swap(cube.triangles.row(2));
   const Eigen::Index corners = mesh.vertices.cols(), triangles = mesh.triangles.cols();
@@ -130,7 +131,7 @@ geometry::Mesh with_cube(geometry::Mesh mesh, double size, const Eigen::Vector3d
 
 TEST(FingertipObject, APieceThatIsInsideOutMustBeACavity) {
   const auto make = [](const geometry::Mesh& mesh) { return Object::from_mesh("it", mesh, 1); };
-  const geometry::Mesh big = box_mesh({0.06, 0.06, 0.06});
+  const geometry::Mesh big = geometry::box_mesh({0.06, 0.06, 0.06});
   const std::string complaint = "object 'it' mesh must be oriented throughout, but its piece of 12";
   for (const double x : {0.06, 0.04, 0.035, -0.2}) {  // beside it, flush with it, part in it
     expect_refused([&] { make(with_cube(big, 0.02, {x, 0, 0}, true)); }, complaint);
