@@ -27,18 +27,24 @@ int body_index(const World& world, const Key& body) {
 void bind_obstacle(py::module_& m) {
   using collision::Obstacle;
   py::class_<Obstacle>(m, "Obstacle", "Fixed body that a motion must avoid.")
-      .def(py::init([](const std::string& name, const Shapes& shapes, const Array& X_WB) {
-             return Obstacle{name, shapes, to_pose(X_WB, "X_WB")};
+      .def(py::init([](const std::string& name, const Shapes& shapes, const Array& X_WB,
+                       double padding) {
+             return Obstacle{name, shapes, to_pose(X_WB, "X_WB"), padding};
            }),
-           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"),
-           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world.")
+           py::arg("name"), py::arg("shapes"), pose_arg("X_WB"), py::arg("padding") = 0.0,
+           "shapes: PlacedShapes. X_WB: (4, 4) pose in the world. padding: distance that motions\n"
+           "keep from the shapes [m].")
       .def_readonly("name", &Obstacle::name, "Name in errors.")
       .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
       .def_property_readonly(
           "X_WB", [](const Obstacle& self) -> const Pose { return from_pose(self.X_WB); },
           "(4, 4) pose in the world.")
+      .def_readonly("padding", &Obstacle::padding, "Distance that motions keep [m].")
+      .def_property_readonly("grown_shapes", &Obstacle::grown,
+                             "PlacedShapes that motions must not touch: `shapes`, grown by the "
+                             "padding.")
       .def("__repr__", [](const py::object& self) {
-        return represent(self, {"name", "shapes", "X_WB"});
+        return represent(self, {"name", "shapes", "X_WB", "padding"});
       });
 }
 

@@ -142,6 +142,12 @@ def test_other_objects_are_obstacles(scene, names):
     found = graspless.pick(scene, names["bar"], "wam_t42")
     obstacles = {body.name for body in found.plan.stages[0].task.problem.obstacles}
     assert obstacles == {f"scene {names['card']}", f"scene {names['block']}"}  # not the floor
+    assert all(body.padding == 0 for body in found.plan.stages[0].task.problem.obstacles)
+    apart = graspless.pick(scene, names["bar"], "wam_t42", padding=0.02)
+    assert graspless.check(apart.plan) == []
+    for stage in apart.plan.stages:
+        bodies = [body for body in stage.task.problem.obstacles if "support" not in body.name]
+        assert [body.padding for body in bodies] == [0.02, 0.02]
     alone = graspless.pick(scene, names["bar"], "wam_t42", respect="nothing")
     assert not alone.plan.stages[0].task.problem.obstacles
 
@@ -464,6 +470,8 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
         ({"strategies": []}, "strategies: none"),
         ({"lift": -0.1}, "lift: -0.1"),
         ({"lift": float("nan")}, "lift: nan"),
+        ({"padding": -0.1}, "padding: -0.1"),
+        ({"padding": float("nan")}, "padding: nan"),
         ({"mass": 0.0}, "mass: 0.0"),
         ({"grip_force": -5.0}, "grip_force: -5.0"),
         ({"best_of": 0}, "best_of"),

@@ -95,6 +95,20 @@ def test_obstacles_of_a_scene_are_chosen(folder):
     assert unseen[:3] == [*seen, "unseen 0"]
 
 
+def test_other_objects_get_a_padding(folder):
+    def paddings(kind, name):
+        text = TASK.replace("slide", kind).replace("object_0}", f"{name}, padding: 0.02}}")
+        return {body.name: body.padding for body in load(folder, text).problem.obstacles}
+
+    assert paddings("slide", "object_0") == {"scene object_1": 0.02, "scene object_2": 0.02}
+    of_clasp = paddings("clasp", "object_1")
+    assert of_clasp.pop("scene object_0") == of_clasp.pop("scene object_2") == 0.02
+    assert set(of_clasp.values()) == {0.0}  # of supports
+    card = CARD.format(corners=[[0, 0], [1, 0], [1, 1]], edges=[0])
+    with pytest.raises(TaskError, match="padding is for objects of a scene"):
+        load(folder, card.replace("thickness:", "padding: 0.01, thickness:"))
+
+
 @pytest.mark.parametrize(
     ("above", "top"),
     [(0.1, 0.1), (0.015, 0.015), (0.002, -0.001), (-0.002, -0.003), (-0.04, -0.04), (-0.45, -0.45)],
@@ -219,6 +233,27 @@ def test_see_warns_of_a_camera_in_millimetres(folder, capsys):
         np.savez(folder / "far.npz", depth=frame["depth"], K=frame["K"], X_WC=far)
     main(["see", str(folder / "far.npz"), "-o", str(folder / "off.yaml")])
     assert "far.npz: the camera is 751.7 m from the origin" in capsys.readouterr().err
+
+
+def test_see_takes_options(folder, capsys):
+    def see(text):
+        code = main(
+            ["see", str(folder / "frame.npz"), "-o", str(folder / "low.yaml"), "--options", text]
+        )
+        return code, capsys.readouterr()
+
+    assert see("{}")[0] == 0
+    assert len(perception.load_scene(folder / "low.yaml").objects) == 3
+    assert see("{min_object_area: 0.5}")[0] == 0
+    assert not perception.load_scene(folder / "low.yaml").objects
+    for text, words in (
+        ("{min_area: 0.5}", "--options:1: min_area: unknown field (one of: noise_constant,"),
+        ("{max_height: -1}", "--options:1: max_height: -1: should be greater than"),
+        ("max_height", "--options"),
+    ):
+        code, said = see(text)
+        assert code == 2
+        assert words in said.err
 
 
 def test_see_averages_frames_and_joins_views(folder, capsys):

@@ -575,8 +575,10 @@ def test_a_path_that_toppra_cannot_pass_is_no_fault_of_ours(monkeypatch):
     )
     with pytest.raises(TaskError, match="found no motion along a path, because of rounding"):
         graspless.time(planned("push"))
-    with pytest.raises(TaskError, match="within contact_speed: should be closer to the default"):
+    words = "within contact_speed: should be closer to the default"
+    with pytest.raises(TaskError, match=words) as caught:
         graspless.time(planned("push"), contact_speed=0.01)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
     assert clock_of(planned("push")) is None
 
 

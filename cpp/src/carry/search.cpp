@@ -40,7 +40,7 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
 void add_obstacles(scene::Scene& scene, int object, const Problem& problem,
                    const Options& options) {
   for (const Obstacle& obstacle : problem.obstacles) {
-    const int body = scene.add_obstacle(obstacle.name, obstacle.shapes, obstacle.X_WB);
+    const int body = scene.add_obstacle(obstacle.label(), obstacle.grown(), obstacle.X_WB);
     scene.world().add_pair(object, body);
     for (const Rest& rest : problem.rests_on) {
       if (rest.obstacle != obstacle.name) continue;
@@ -56,7 +56,7 @@ int add_hanging(scene::Scene& scene, int frame, const std::vector<int>& hand,
   if (!problem.X_WO_hanging) return -1;
   const int body = scene.add_object(problem.object.name + " hanging", problem.object.shapes);
   for (const Obstacle& obstacle : problem.obstacles)
-    scene.world().add_pair(body, scene.world().body(obstacle.name));
+    scene.world().add_pair(body, scene.world().body(obstacle.label()));
   const Eigen::Isometry3d X_WF = problem.robot.pose(frame, problem.q_start);
   scene.attach(body, frame, X_WF.inverse() * *problem.X_WO_hanging, hand);
   return body;

@@ -23,19 +23,28 @@ void check_bodies(const Problem& problem) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("object" + std::string(error.what()).substr(12));  // obstacles[0]
   }
+  if (problem.object.padding != 0) {
+    throw std::invalid_argument("object.padding: give it to the obstacles; it must be 0, not " +
+                                figure(problem.object.padding));
+  }
   taken.insert(problem.object.name);
   collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or the object");
 }
 
 void check_rest(const Problem& problem, const Rest& rest, const std::string& field) {
   const auto is_it = [&](const Obstacle& obstacle) { return obstacle.name == rest.obstacle; };
-  if (std::none_of(problem.obstacles.begin(), problem.obstacles.end(), is_it)) {
+  const auto found = std::find_if(problem.obstacles.begin(), problem.obstacles.end(), is_it);
+  if (found == problem.obstacles.end()) {
     std::string names;
     for (const Obstacle& obstacle : problem.obstacles)
       names += (names.empty() ? "" : ", ") + obstacle.name;
     throw std::invalid_argument(field + ": there is no obstacle '" + rest.obstacle +
                                 "' (one of: " + names + ")");
   }
+  const Obstacle& under = *found;
+  if (under.padding != 0)
+    throw std::invalid_argument(field + ": the object stands on '" + under.name +
+                                "', which must have no padding, not " + figure(under.padding));
   const double length = rest.normal_W.norm();
   if (!std::isfinite(length) || std::abs(length - 1) > 1e-6)
     throw std::invalid_argument(field + ": normal_W must have unit length, not " + figure(length));

@@ -153,7 +153,7 @@ std::string in_the_way(const Problem& problem, const Locations& locations,
   alone.planes.clear();
   for (const Obstacle& obstacle : problem.obstacles) {
     alone.obstacles = {obstacle};
-    count("obstacle '" + obstacle.name + "'", alone);
+    count("obstacle '" + obstacle.label() + "'", alone);
   }
   return out.str();
 }

@@ -73,7 +73,64 @@ struct Extent {
   double operator()(const Mesh& mesh) const { return (d.transpose() * mesh.vertices).maxCoeff(); }
 };
 
+/// Vertices of an icosahedron that contains the ball of a radius about the origin.
+Eigen::Matrix3Xd around_ball(double radius) {
+  const double golden = (1 + std::sqrt(5)) / 2;
+  const double inscribed = golden * golden / std::sqrt(3);  // ball of the one with edges of 2
+  Eigen::Matrix3Xd vertices(3, 12);
+  int i = 0;
+  for (const double one : {-1.0, 1.0}) {
+    for (const double far : {-golden, golden}) {
+      vertices.col(i++) << 0, one, far;
+      vertices.col(i++) << one, far, 0;
+      vertices.col(i++) << far, 0, one;
+    }
+  }
+  return radius / inscribed * vertices;
+}
+
+/// Appends to `out` what contains all points within `padding` of a shape at a pose.
+struct Grow {
+  double padding;
+  const Eigen::Isometry3d& X_BG;
+  std::vector<PlacedShape>& out;
+
+  void operator()(const Box& box) const {
+    out.push_back({Box{box.size.array() + 2 * padding}, X_BG});
+  }
+  void operator()(const Sphere& sphere) const {
+    out.push_back({Sphere{sphere.radius + padding}, X_BG});
+  }
+  void operator()(const Capsule& c) const {
+    out.push_back({Capsule{c.radius + padding, c.length}, X_BG});
+  }
+  void operator()(const Convex& hull) const { out.push_back({around(hull.vertices), X_BG}); }
+  void operator()(const Mesh& mesh) const {
+    out.push_back({mesh, X_BG});  // whose inside counts
+    for (const auto& triangle : mesh.triangles.colwise()) {
+      Eigen::Matrix3d corners;
+      for (int i = 0; i < 3; ++i) corners.col(i) = mesh.vertices.col(triangle[i]);
+      out.push_back({around(corners), X_BG});
+    }
+  }
+  Convex around(const Eigen::Matrix3Xd& points) const {
+    const Eigen::Matrix3Xd ball = around_ball(padding);
+    Eigen::Matrix3Xd sums(3, points.cols() * ball.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      sums.middleCols(i * ball.cols(), ball.cols()) = ball.colwise() + points.col(i);
+    }
+    return {sums};
+  }
+};
+
 }  // namespace
+
+std::vector<PlacedShape> grown(const std::vector<PlacedShape>& shapes, double padding) {
+  std::vector<PlacedShape> out;
+  for (const PlacedShape& placed : shapes)
+    std::visit(Grow{padding, placed.X_BG, out}, placed.shape);
+  return out;
+}
 
 void validate(const Shape& shape, const std::string& what) {
   std::visit([&](const auto& kind) { check(kind, what); }, shape);

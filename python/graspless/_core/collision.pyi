@@ -12,9 +12,10 @@ class Obstacle:
     """
     Fixed body that a motion must avoid.
     """
-    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ...) -> None:
+    def __init__(self, name: str, shapes: collections.abc.Sequence[graspless._core.geometry.PlacedShape], X_WB: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] = ..., padding: typing.SupportsFloat | typing.SupportsIndex = 0.0) -> None:
         """
-        shapes: PlacedShapes. X_WB: (4, 4) pose in the world.
+        shapes: PlacedShapes. X_WB: (4, 4) pose in the world. padding: distance that motions
+        keep from the shapes [m].
         """
     def __repr__(self) -> str:
         ...
@@ -24,9 +25,19 @@ class Obstacle:
         (4, 4) pose in the world.
         """
     @property
+    def grown_shapes(self) -> list[graspless._core.geometry.PlacedShape]:
+        """
+        PlacedShapes that motions must not touch: `shapes`, grown by the padding.
+        """
+    @property
     def name(self) -> str:
         """
         Name in errors.
+        """
+    @property
+    def padding(self) -> float:
+        """
+        Distance that motions keep [m].
         """
     @property
     def shapes(self) -> list[graspless._core.geometry.PlacedShape]:

@@ -18,7 +18,7 @@ from ..files import absence
 if TYPE_CHECKING:
     import argparse
 
-    from .._core.perception import Scene, View
+    from .._core.perception import Options, Scene, View
     from ..frames import Matrix
 
 CLOUDS = (".ply", ".pcd", ".xyz")
@@ -63,6 +63,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="when the images were taken [s since 1970], so that `graspless pick --max-age` can "
         "refuse an old scene",
     )
+    parser.add_argument(
+        "--options",
+        metavar="YAML",
+        help="fields of perception.Options, such as '{max_height: 0.4, max_pixels: 2000000}'",
+    )
     parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.set_defaults(run=_run)
@@ -86,13 +91,14 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
+    chosen = _perception_options(options.options)
     viewpoints = _viewpoints(options)
     views = [read_view(Path(path), viewpoints.get(k)) for k, path in enumerate(options.files)]
     _require_cloud(options)
     for path, given in zip(options.files, views, strict=True):
         warn_of_camera(given, path)
     try:
-        scene = perception.perceive_views(views)
+        scene = perception.perceive_views(views, chosen)
     except ValueError as error:
         raise TaskError(f"{', '.join(options.files)}: {error}") from None
     scene.stamp = options.stamp
@@ -108,6 +114,26 @@ def _run(options: argparse.Namespace) -> int:
         if kept is not None:
             print(f"kept: {kept}, as it was before")
     return FOUND if scene else NOT_FOUND
+
+
+def _perception_options(text: str | None) -> Options:
+    """Returns the options of perception that YAML gives.
+
+    Raises TaskError that names the field unless all are known and within their ranges.
+    """
+    from ..perception import Options
+    from ..tasks.options import described_by
+    from ..tasks.reading import parse_yaml
+    from ..tasks.shapes import Fields
+
+    @described_by(Options)
+    class Given(Fields):
+        """Options of perception."""
+
+    if text is None:
+        return Options()
+    fields: Fields = parse_yaml(text, "--options").validate(Given)
+    return Options(**fields.model_dump(exclude_none=True))
 
 
 def _clouds(options: argparse.Namespace) -> list[int]:

@@ -47,6 +47,7 @@ def pick(
     place: Mapping[str, Any] | None = None,
     lift: float = 0.1,
     respect: Respect = "objects",
+    padding: float = 0.0,
     mass: float | None = None,
     grip_force: float | None = None,
     max_age: float | None = None,
@@ -84,6 +85,8 @@ def pick(
         Height of the lift [m].
     respect : str
         Obstacles besides the support: nothing, objects or unseen, as in task files.
+    padding : float
+        Distance that the robot and the object keep from the other objects [m].
     mass : float, optional
         Mass of the object [kg], which grasps must bear and slides count with. Needed to tumble and
         push it.
@@ -123,6 +126,7 @@ def pick(
     seed = require_integer("seed", seed, least=0, most=2**64 - 1)
     require_above_zero("seconds", seconds)
     require_number("lift", lift)
+    require_number("padding", padding)
     for field, value in (("mass", mass), ("grip_force", grip_force), ("max_age", max_age)):
         if value is not None:
             require_number(field, value)
@@ -133,7 +137,8 @@ def pick(
     wishes = {
         label: wish_of(
             scene, file, name, one,
-            lift=lift, respect=respect, mass=mass, grip_force=grip_force, trust=trust,
+            lift=lift, respect=respect, padding=padding, mass=mass, grip_force=grip_force,
+            trust=trust,
         )
         for label, one in robots.items()
     }  # fmt: skip

@@ -73,6 +73,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="obstacles besides the support (default: objects)",
     )
     parser.add_argument(
+        "--padding",
+        type=float,
+        metavar="M",
+        help="distance to keep from the other objects [m] (default: 0)",
+    )
+    parser.add_argument(
         "--max-age", type=float, metavar="S", help="refuse a scene whose images are older [s]"
     )
     parser.add_argument(
@@ -147,7 +153,7 @@ def _given(options: argparse.Namespace) -> dict[str, Any]:
         if options.name is None:
             raise TaskError(f"NAME: missing: {options.scene} is not a task file of kind pick")
         given = {"scene": options.scene, "name": options.name}
-    same = ("robot", "lift", "respect", "max_age", "mass", "grip_force", "seed")
+    same = ("robot", "lift", "respect", "padding", "max_age", "mass", "grip_force", "seed")
     flags = {name: getattr(options, name) for name in same}
     flags |= {"best_of": options.best_of, "seconds": options.seconds}
     if options.strategies is not None:

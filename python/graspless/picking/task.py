@@ -13,8 +13,8 @@ from ..errors import one_of
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
 from ..tasks.reading import read_yaml
-from ..tasks.scenes import RESPECT, Respect
-from ..tasks.shapes import Fields, Positive
+from ..tasks.scenes import PADDING, RESPECT, Respect
+from ..tasks.shapes import Fields, Padding, Positive
 from ..tasks.source import Source
 from ..tasks.units import warn_of_units
 from .place_fields import Place
@@ -39,6 +39,7 @@ class PickTask(Fields):
     place: Place | None = Field(default=None, description="where the object is put down")
     lift: Positive = Field(default=0.1, description="height of the lift [m]")
     respect: Respect = Field(default="objects", description=RESPECT)
+    padding: Padding = Field(default=0.0, description=PADDING)
     max_age: Positive | None = Field(
         default=None, description="largest age of the images of the scene [s]"
     )

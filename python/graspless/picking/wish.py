@@ -130,12 +130,15 @@ def wish_of(
     lift: float,
     respect: str,
     mass: float | None,
+    padding: float = 0.0,
     grip_force: float | None = None,
     trust: bool = False,
 ) -> Wish:
     """Returns what is asked for. Raises TaskError if there is no such object. `file` is named."""
     if not 0 < lift < 10:
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
+    if not 0 <= padding <= 0.5:
+        raise TaskError(f"padding: {padding!r}: should be a distance in [0, 0.5] m")
     if mass is not None and not 0 < mass < 1e6:
         raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
     if grip_force is not None and not 0 < grip_force <= 1000:
@@ -155,8 +158,12 @@ def wish_of(
         lift=float(lift),
         mass=mass,
         grip_force=grip_force,
-        beside=documents(scenes.obstacles(scene, thing, respect, has_support=False)),
-        around=documents(scenes.obstacles(scene, thing, respect, has_support=True)),
+        beside=documents(
+            scenes.obstacles(scene, thing, respect, has_support=False, padding=padding)
+        ),
+        around=documents(
+            scenes.obstacles(scene, thing, respect, has_support=True, padding=padding)
+        ),
         trust=trust,
     )
 

@@ -72,7 +72,7 @@ class PickJob:
         Point of the object in the world [m].
     robot : dict
         Field `robot` of a task.
-    strategies, respect, lift, mass, grip_force, seed, seconds
+    strategies, respect, padding, lift, mass, grip_force, seed, seconds
         As in `graspless.pick`.
     measured, tolerance, limits, squeeze
         As in TaskJob.
@@ -87,6 +87,7 @@ class PickJob:
     at: Matrix | None = None
     strategies: tuple[str, ...] = ("pinch", "rim", "slide", "clasp")
     respect: str = "objects"
+    padding: float = 0.0
     lift: float = 0.1
     mass: float | None = None
     grip_force: float | None = None

@@ -92,6 +92,7 @@ class Requests:
             at,
             strategies=tuple(asked.strategies) or STRATEGIES,
             respect=asked.respect or "objects",
+            padding=asked.padding,
             lift=asked.lift or 0.1,
             mass=asked.mass or None,
             grip_force=asked.grip_force or None,

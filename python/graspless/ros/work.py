@@ -140,6 +140,7 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
             mass=job.mass,
             grip_force=job.grip_force,
             respect=job.respect,  # type: ignore[arg-type]  # it is validated there
+            padding=job.padding,
             seconds=job.seconds,
             seed=job.seed,
         )

@@ -62,7 +62,8 @@ def build_obstacles(obstacles: Sequence[Obstacle], source: Source) -> list[colli
                 inner = ("parts", k) if obstacle.parts else ()
                 size = np.ptp(np.asarray(part.shape.vertices), axis=0)
                 _warn_of_size(size, ("obstacles", i, *inner, "mesh"), source)
-        built.append(collision.Obstacle(obstacle.name, parts, pose_matrix(obstacle.pose)))
+        pose = pose_matrix(obstacle.pose)
+        built.append(collision.Obstacle(obstacle.name, parts, pose, obstacle.padding))
     return built
 
 

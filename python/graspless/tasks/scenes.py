@@ -15,6 +15,7 @@ from .shapes import Obstacle, Pose, Shape
 from .statement import pose_fields
 
 if TYPE_CHECKING:
+    from collections.abc import Collection
     from pathlib import Path
 
     from ..frames import Matrix
@@ -27,11 +28,19 @@ RESPECT = (
     "obstacles of the scene: nothing; objects: the other objects, and supports less than 0.5 m "
     "below; unseen: also the space that no ray reached, except behind the object itself"
 )
+PADDING = "distance to keep from the other objects of the scene [m]"
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
 BELOW = 0.5  # depth at which a support, such as the floor, is in nobody's way [m]
 SAME = 0.005  # difference in height of supports that may be one, which a shadow divides [m]
 SUNK = 0.001  # depth of the tops of such supports, as obstacles, below what the object is on [m]
+
+
+def require_scene(given: Collection[str]) -> None:
+    """Raises ValueError if a field of an object is given that only one of a scene has."""
+    for name in ("respect", "padding"):
+        if name in given:
+            raise ValueError(f"{name} is for objects of a scene")
 
 
 def load(path: str, source: Source, place: Location, directory: Path) -> Scene:
@@ -65,7 +74,9 @@ def real_edges(support: Support, source: Source, place: Location) -> list[int]:
     return edges
 
 
-def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> list[Obstacle]:
+def obstacles(
+    scene: Scene, thing: Object, respect: str, has_support: bool, padding: float = 0.0
+) -> list[Obstacle]:
     """Returns what a planner must keep clear of.
 
     Parameters
@@ -77,13 +88,15 @@ def obstacles(scene: Scene, thing: Object, respect: str, has_support: bool) -> l
         What counts: see RESPECT.
     has_support : bool
         True if the support below the object counts too.
+    padding : float
+        Distance to keep from the other objects [m].
     """
     if respect == "nothing":
         return []
     found = [
         Obstacle(name=f"{OF_SCENE}{other.name}",
                  parts=_prisms(outline_of(other), 0.0, other.thickness),
-                 pose=_pose(other.X_WO))
+                 pose=_pose(other.X_WO), padding=padding)
         for other in scene.objects
         if other.name != thing.name
     ]  # fmt: skip

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 Positive = Annotated[float, Field(gt=0)]
+Padding = Annotated[float, Field(ge=0, le=0.5)]
 NotNegative = Annotated[float, Field(ge=0)]
 Point2 = Annotated[list[float], Field(min_length=2, max_length=2)]
 Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]
@@ -200,6 +201,7 @@ class Obstacle(Shape, Named):
     parts: Annotated[list[Shape], Field(min_length=1)] | None = Field(
         default=None, description="instead: several shapes, in the obstacle's frame"
     )
+    padding: Padding = Field(default=0.0, description="distance that motions keep [m]")
 
     CHOICES: ClassVar[tuple[str, ...]] = (*Shape.CHOICES, "parts")
 

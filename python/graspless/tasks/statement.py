@@ -74,7 +74,9 @@ def pose_fields(X: Matrix) -> dict[str, Any]:
 def obstacle_fields(obstacles: Sequence[Any]) -> list[dict[str, Any]]:
     """Returns obstacles, each of one shape or of several."""
     return [
-        {"name": body.name, "pose": pose_fields(body.X_WB)} | _shapes(body.shapes)
+        {"name": body.name, "pose": pose_fields(body.X_WB)}
+        | _shapes(body.shapes)
+        | ({"padding": body.padding} if body.padding else {})
         for body in obstacles
     ]
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -60,6 +60,10 @@ class NoMotionError(TaskError):
     def __init__(self, given: Sequence[str] = ()) -> None:
         limits = f" within {', '.join(given)}: should be closer to the defaults" if given else ""
         super().__init__(f"toppra found no motion along a path{limits or _ADVICE}")
+        self._given = tuple(given)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._given,)
 
 
 @dataclass(frozen=True)

@@ -14,15 +14,22 @@
 namespace graspless::collision {
 
 /// A fixed body that a motion must avoid.
-struct Obstacle {
+struct GRASPLESS_API Obstacle {
   std::string name;
   std::vector<geometry::PlacedShape> shapes;  ///< in its frame B
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  double padding = 0;  ///< distance that motions keep from the shapes [m]
+
+  /// The body that motions must not touch: the shapes, grown by the padding, and a name for
+  /// messages, which tells the padding.
+  std::vector<geometry::PlacedShape> grown() const;
+  std::string label() const;
 };
 
 /// Throws std::invalid_argument that names the obstacle and the field if a name is in `taken`
-/// (`takers` describes by whom) or occurs twice, if an obstacle has no shape or an invalid one, or
-/// if a pose is not rigid.
+/// (`takers` describes by whom) or occurs twice, if an obstacle has no shape or an invalid one, if
+/// a pose is not rigid, if a padding is not in [0, geometry::kMaxPadding], or if a mesh with a
+/// padding has more than geometry::kMaxPaddedTriangles triangles.
 GRASPLESS_API void require_obstacles(const std::vector<Obstacle>& obstacles,
                                      std::set<std::string> taken = {},
                                      const std::string& takers = "another obstacle");

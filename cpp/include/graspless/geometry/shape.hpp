@@ -63,6 +63,16 @@ GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 /// [m].
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
+/// Largest padding of a shape [m], and most triangles of a mesh that gets one.
+constexpr double kMaxPadding = 0.5;
+constexpr int kMaxPaddedTriangles = 5000;
+
+/// Returns shapes that contain every point within `padding` [m] of the given ones. They reach
+/// farther by less than 1.26 times the padding, at the corners of a box by up to 1.74 times.
+/// Spheres and capsules are exact. Of a mesh, each triangle gives a hull.
+GRASPLESS_API std::vector<PlacedShape> grown(const std::vector<PlacedShape>& shapes,
+                                             double padding);
+
 /// Reads a triangle mesh from .stl, .obj, .off or .ply (see set_mesh_reader() for others) and
 /// scales it per axis. Polygons are triangulated. Throws std::invalid_argument that names the path
 /// if the file is missing, unreadable or empty.

@@ -69,7 +69,9 @@ def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask
         "pose": Pose(**pose_fields(thing.X_WO)),
         "rays": [Rays.model_validate(rays_fields(image)) for image in thing.rays],
     }
-    seen = scenes.obstacles(scene, thing, fields.object.respect, has_support=True)
+    seen = scenes.obstacles(
+        scene, thing, fields.object.respect, has_support=True, padding=fields.object.padding
+    )
     return fields.model_copy(
         update={
             "object": fields.object.model_copy(update=update),

@@ -18,13 +18,14 @@ from ..obstacles import Obstacles
 from ..options import described_by
 from ..rays import Rays
 from ..robots import Robot
-from ..scenes import RESPECT, Respect
+from ..scenes import PADDING, RESPECT, Respect, require_scene
 from ..shapes import (
     Count,
     Fields,
     Index,
     MeshFile,
     NotNegative,
+    Padding,
     Point3,
     Pose,
     Positive,
@@ -76,6 +77,7 @@ class Object(Fields):
         description="scene file of `graspless see`, whose object with this name it is",
     )
     respect: Respect = Field(default="objects", description=RESPECT, exclude=True)
+    padding: Padding = Field(default=0.0, description=PADDING, exclude=True)
     sample: str | None = Field(
         default=None, description="object that comes with graspless, on which points are sampled"
     )
@@ -116,8 +118,8 @@ class Object(Fields):
             raise ValueError("rays and views must not both be given")
         if self.scene is not None:
             self._check_scene()
-        elif "respect" in self.model_fields_set:
-            raise ValueError("respect is for objects of a scene")
+        else:
+            require_scene(self.model_fields_set)
         if self.cloud is not None and self.points is not None:
             raise ValueError(
                 "points is the number of samples of a mesh; a cloud has its own points"

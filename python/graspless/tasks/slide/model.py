@@ -19,12 +19,13 @@ from ..budget import Budget
 from ..obstacles import Obstacles
 from ..options import described_by
 from ..robots import Robot
-from ..scenes import RESPECT, Respect
+from ..scenes import PADDING, RESPECT, Respect, require_scene
 from ..shapes import (
     Circle,
     Fields,
     Index,
     NotNegative,
+    Padding,
     PlanarPose,
     Point2,
     Point3,
@@ -100,6 +101,7 @@ class Object(Fields):
         "support too",
     )
     respect: Respect = Field(default="objects", description=RESPECT, exclude=True)
+    padding: Padding = Field(default=0.0, description=PADDING, exclude=True)
     frame: Literal["object", "world"] = Field(
         default="object", description="frame of the cloud's file"
     )
@@ -134,8 +136,7 @@ class Object(Fields):
         if self.scene is not None:
             self._check_scene()
             return self
-        if "respect" in self.model_fields_set:
-            raise ValueError("respect is for objects of a scene")
+        require_scene(self.model_fields_set)
         if not has_points and self.thickness is None:
             raise ValueError("thickness must be given with an outline [m]")
         if self.cloud is not None and self.frame == "world":

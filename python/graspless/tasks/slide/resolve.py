@@ -94,7 +94,9 @@ def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
         "pose": shapes.Pose(**pose_fields(support.X_WS)),
         "usable_edges": edges,
     }
-    seen = scenes.obstacles(scene, thing, task.object.respect, has_support=False)
+    seen = scenes.obstacles(
+        scene, thing, task.object.respect, has_support=False, padding=task.object.padding
+    )
     return task.model_copy(
         update={
             "object": task.object.model_copy(update=of_object),
