@@ -247,7 +247,7 @@ def test_see_takes_options(folder, capsys):
     assert see("{min_object_area: 0.5}")[0] == 0
     assert not perception.load_scene(folder / "low.yaml").objects
     for text, words in (
-        ("{min_area: 0.5}", "--options:1: min_area: unknown field (one of: noise_constant,"),
+        ("{min_area: 0.5}", "--options:1: min_area: unknown field; did you mean 'min_object_area'"),
         ("{max_height: -1}", "--options:1: max_height: -1: should be greater than"),
         ("max_height", "--options"),
     ):
