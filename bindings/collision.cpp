@@ -29,7 +29,9 @@ void bind_obstacle(py::module_& m) {
   py::class_<Obstacle>(m, "Obstacle", "Fixed body that a motion must avoid.")
       .def(py::init([](const std::string& name, const Shapes& shapes, const Array& X_WB,
                        double padding) {
-             return Obstacle{name, shapes, to_pose(X_WB, "X_WB"), padding};
+             Obstacle obstacle{name, shapes, to_pose(X_WB, "X_WB"), padding};
+             collision::require_padding(obstacle, "padding of obstacle '" + name + "'");
+             return obstacle;
            }),
            py::arg("name"), py::arg("shapes"), pose_arg("X_WB"), py::arg("padding") = 0.0,
            "shapes: PlacedShapes. X_WB: (4, 4) pose in the world. padding: distance that motions\n"

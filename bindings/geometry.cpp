@@ -672,7 +672,10 @@ void bind_loops(py::module_& m) {
       Field{"drop_meridians", &LoopOptions::drop_meridians,
             "Discard loops that run around a thick handle instead of along it."},
       Field{"threads", &LoopOptions::threads,
-            "Number of threads that share the polishing, in [1, 256]. Loops do not depend on it."});
+            "Number of threads that share the polishing, in [1, 256]. Loops do not depend on it."},
+      Field{"all_sides", &LoopOptions::all_sides,
+            "The points are of all sides of the object: no loop is the edge of what a camera saw.\n"
+            "No effect with rays."});
 
   py::native_enum<LoopStatus>(m, "LoopStatus", "graspless._named.Named",
                               "Outcome of shortest_loops().")
@@ -731,17 +734,18 @@ void bind_shortest_loops(py::module_& m) {
   m.def(
       "shortest_loops",
       [](const Array& points, std::optional<double> max_edge_length, double min_ratio,
-         int max_points, bool polish, bool drop_meridians, int threads,
+         int max_points, bool polish, bool drop_meridians, int threads, bool all_sides,
          const std::vector<RayImage>& rays) {
-        return shortest_loops_released(
-            points,
-            {max_edge_length.value_or(0), min_ratio, max_points, polish, drop_meridians, threads},
-            rays);
+        return shortest_loops_released(points,
+                                       {max_edge_length.value_or(0), min_ratio, max_points, polish,
+                                        drop_meridians, threads, all_sides},
+                                       rays);
       },
       py::arg("points"), py::arg("max_edge_length") = py::none(), py::kw_only(),
       py::arg("min_ratio") = defaults.min_ratio, py::arg("max_points") = defaults.max_points,
       py::arg("polish") = defaults.polish, py::arg("drop_meridians") = defaults.drop_meridians,
-      py::arg("threads") = defaults.threads, py::arg("rays") = std::vector<RayImage>{},
+      py::arg("threads") = defaults.threads, py::arg("all_sides") = defaults.all_sides,
+      py::arg("rays") = std::vector<RayImage>{},
       R"(Finds the shortest loops through the holes of the object that a cloud was taken from.
 
 They are shortest bases of H_1(K_d; Z_2) (Dey, Sun, Wang 2010; Stork, Pokorny, Kragic 2013,
@@ -753,12 +757,13 @@ points : (N, 3) array
     Points on the object's surface [m], in any frame.
 max_edge_length : float, optional
     d of K_d [m]. None: each hole has its own.
-min_ratio, max_points, polish, drop_meridians, threads : optional
+min_ratio, max_points, polish, drop_meridians, threads, all_sides : optional
     See LoopOptions.
 rays : list of RayImage, optional
     Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
     Without them the distances between the points decide, which is right for points from all
-    sides only: no loop is found if one camera could have seen nearly all points.
+    sides only: without `all_sides`, no loop is found if one camera could have seen nearly all
+    points.
 
 Returns
 -------

@@ -49,14 +49,15 @@ Matrix6Xd to_directions(const MaybeArray& values) {
 
 bool is_unit(const Eigen::Vector3d& n_O) { return std::abs(n_O.norm() - 1) <= kUnit; }
 
-/// The set with unit normals, and a UserWarning when that changed one.
+/// The set with unit normals, and a GrasplessWarning when that changed one.
 ContactSet with_unit_normals(const ContactSet& set) {
   bool unit = true;
   for (const Contact& contact : set.contacts) unit = unit && is_unit(contact.n_O);
   for (const Finger& finger : set.fingers) unit = unit && is_unit(finger.n_O);
   if (unit) return set;
   ContactSet mended = normalized(set);
-  if (PyErr_WarnEx(PyExc_UserWarning, "normals n_O are not of length 1: they were normalised", 1) <
+  const py::object category = py::module_::import("graspless.errors").attr("GrasplessWarning");
+  if (PyErr_WarnEx(category.ptr(), "normals n_O are not of length 1: they were normalised", 1) <
       0) {
     throw py::error_already_set();
   }

@@ -150,9 +150,9 @@ void bind_planning(py::module_ m) {
           "seed.\n\nstop() of either stops both.")
       .def(
           "stop", [](StoppableBudget& self) { *self.stopped = true; },
-          "Stops the query that uses this budget, from any thread. The query returns within about "
-          "10 ms.\n\n"
-          "A stopped budget stays stopped: later queries that use it end at once.")
+          "Stops the search that uses this budget, from any thread. The search returns within "
+          "about 10 ms; a task that is being read is read first.\n\n"
+          "A stopped budget stays stopped: later searches that use it end at once.")
       .def_property_readonly(
           "is_stopped", [](const StoppableBudget& self) { return self.stopped->load(); },
           "True if stop() was called.")

@@ -19,6 +19,15 @@ inline std::string figure(double value, int digits = 6) {
   return out.str();
 }
 
+/// The parts of a sentence, with three significant digits in numbers.
+template <class... Parts>
+std::string say(const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(3);
+  (text << ... << parts);
+  return text.str();
+}
+
 /// std::to_string() writes all digits of an integer.
 template <typename Integer, typename = std::enable_if_t<std::is_integral_v<Integer>>>
 std::string figure(Integer, int = 0) = delete;

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from ._load import load_task
     from ._plan import Plan
     from .batches import batch
-    from .errors import TaskError
+    from .errors import GrasplessWarning, TaskError
     from .formats import export
     from .perception import perceive
     from .picking import pick
@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "GrasplessWarning",
     "Plan",
     "Task",
     "TaskError",
@@ -103,6 +104,7 @@ _HOMES = {
     "time": "timing",
     "Task": "tasks",
     "load_task": "_load",
+    "GrasplessWarning": "errors",
     "TaskError": "errors",
 }
 

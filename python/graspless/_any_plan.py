@@ -58,7 +58,7 @@ class AnyPlan:
         return self.task.seed
 
     def to_json(self) -> str:
-        """Returns the text of the plan file.
+        """Returns the text of the plan file, which `load_plan(io.StringIO(text))` reads.
 
         Raises
         ------

@@ -18,6 +18,12 @@ from .proving import proof
 
 MOST_SEEDS = 20  # of a search for a plan that is certified
 SEEDS = 2**64  # number of seeds
+# Statuses of searches without a result, and what their reasons may already say of the time.
+SEARCHED = (
+    "no_goal_root", "no_place", "no_start_root", "not_connected", "not_found", "not_reached",
+    "not_realized", "not_secure",
+)  # fmt: skip
+OF_TIME = ("budget ran out", "out of time", "time limit", "time was over")
 NO_JOINTS = (
     "not certified: bare fingertips have no joint paths, so nothing between the rows is proven; "
     "give the task a robot"
@@ -205,7 +211,12 @@ def plan_since(
     before = time.monotonic()
     kind = plan_type(task.kind)
     began += time.monotonic() - before  # imports do not count
-    return kind._search(task, limits.rest(task.budget if budget is None else budget, began))
+    given = task.budget if budget is None else budget
+    plan: Any = kind._search(task, limits.rest(given, began))
+    is_over = time.monotonic() - began >= given.seconds
+    if is_over and str(plan.status) in SEARCHED and not any(w in plan.reason for w in OF_TIME):
+        plan.reason += f"; the time limit of {given.seconds:g} s ended the search"
+    return plan
 
 
 def plan_certified(

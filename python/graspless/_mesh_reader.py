@@ -82,6 +82,8 @@ def _content(path: str) -> bytes:
             raise ValueError(f"it has {size} bytes, more than {LARGEST}")
         return Path(path).read_bytes()
     except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
         raise ValueError(str(error.strerror)) from None
 
 
@@ -132,6 +134,8 @@ def _convert(files: list[tuple[str, bytes]]) -> _Answers:
     except subprocess.TimeoutExpired as error:
         return _Answers(error.stdout or b"")
     except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
         raise ValueError(f"its reader cannot be started: {error.strerror}") from None
     return _Answers(done.stdout)
 

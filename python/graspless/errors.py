@@ -44,8 +44,28 @@ class TaskError(ValueError):
     """
 
 
+class GrasplessWarning(UserWarning):
+    """A warning of this library: what is unusual or doubtful in a task, a file or a plan."""
+
+
 class OutOfTimeError(TaskError):
     """The time limit was reached before the task was read."""
+
+
+# What libraries raise over broken files. A warning that is an error, or an exception of the
+# program that a signal handler raises meanwhile, is none of these.
+LIBRARIES = (
+    "binascii", "builtins", "collada", "graspless", "gzip", "json", "lxml", "lzma", "numpy",
+    "pickle", "pydantic_core", "pyexpat", "scipy", "struct", "tokenize", "trimesh", "xml", "yaml",
+    "zipfile", "zlib",
+)  # fmt: skip
+
+
+def is_of_library(error: BaseException) -> bool:
+    """Returns False of exceptions that come from the program, such as the end of a time limit."""
+    if isinstance(error, Warning) or (isinstance(error, TimeoutError) and error.errno is None):
+        return False
+    return type(error).__module__.partition(".")[0].lstrip("_") in LIBRARIES
 
 
 def explain(error: BaseException) -> str:
@@ -84,7 +104,7 @@ def warn(text: str) -> None:
     package = __name__.partition(".")[0]
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == package:
         level, frame = level + 1, frame.f_back
-    warnings.warn(text, stacklevel=level)
+    warnings.warn(text, GrasplessWarning, stacklevel=level)
 
 
 def suggestion(name: object, known: Collection[str], most: int = 1, cutoff: float = 0.6) -> str:
@@ -113,6 +133,8 @@ def told(where: str) -> Iterator[None]:
     except TaskError:
         raise
     except Exception as error:
+        if not is_of_library(error):
+            raise
         raise TaskError(f"{where}: {explain(error)}") from error
 
 

@@ -169,7 +169,7 @@ def stability(
     ------
     ValueError
         An array has the wrong shape, or a value is invalid. Normals that are not unit vectors are
-        normalised with a UserWarning.
+        normalised with a GrasplessWarning.
     """
     shape, held = np.shape(points)[:2], np.shape(finger_points)[:2]
     sets = contact_sets(

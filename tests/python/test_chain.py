@@ -4,6 +4,7 @@
 
 import json
 import re
+import sys
 from pathlib import Path
 from typing import Literal, get_args, get_origin
 
@@ -907,3 +908,12 @@ def test_camera_of_a_chain_sees_what_each_stage_shows():
     ahead, first = view.target - view.eye, cameras[0].target - cameras[0].eye
     assert np.abs(np.cross(ahead, first)).max() < 1e-9
     assert replay.common(cameras[:1]).angle == pytest.approx(0.3 / 1.08)
+
+
+def test_an_attempt_that_was_interrupted_ends_the_chain(lift, monkeypatch):
+    """Whatever became of those before it."""
+    search = sys.modules["graspless.chain.search"]
+    first = search.Found(list(lift.stages), "not_found", "lift: the arm does not follow")
+    found = [first, search.Found([], "interrupted", "interrupted")]
+    monkeypatch.setattr(search, "_attempt", lambda *given: found.pop(0))
+    assert search.search(lift.task, lift.task.budget).status == "interrupted"

@@ -11,6 +11,7 @@ import pytest
 import graspless
 from clasp_common import PURSE, changed
 from graspless import _data, clasp, frames
+from graspless.cli import main
 from graspless.tasks import task_from_dict
 from tasks_common import fault, write_renamed
 
@@ -281,6 +282,35 @@ def test_mesh_is_sampled(write, tmp_path, mesh):
     assert thing.points.shape == (800, 3)
     assert np.hypot(*thing.points[:, :2].T).max() == pytest.approx(0.23, abs=2e-3)
     assert len(thing.loops.found) == 1
+
+
+def test_a_closed_mesh_is_of_all_sides(write, tmp_path, capsys):
+    """A washer of few points looks as if one camera could have seen it."""
+    import trimesh
+
+    washer = trimesh.creation.annulus(0.03, 0.09, 0.002)
+    washer.export(tmp_path / "washer.stl")
+    washer.faces = washer.faces[1:]
+    washer.export(tmp_path / "open.stl")
+
+    def loops_of(fields):
+        return graspless.load_task(write(changed(SAMPLE, fields))).problem.object.loops
+
+    closed = "mesh: {file: washer.stl}\n  points: 1000"
+    assert len(loops_of(closed).found) == 1
+    unsure = loops_of(f"{closed}\n  loops: {{all_sides: false}}")
+    assert not unsure.found
+    assert "set all_sides if the points are of all sides" in unsure.uncertain[0].reason
+    assert not loops_of("mesh: {file: open.stl}\n  points: 1000").found
+    task = graspless.load_task(write(changed(SAMPLE, closed)))
+    assert task.fields.object.loops.all_sides is True  # in plan files, too
+
+    command = ["loops", str(tmp_path / "washer.stl"), "--points", "1000"]
+    assert main(command) == 0
+    command[1] = str(tmp_path / "open.stl")
+    assert main(command) == 1
+    assert main([*command, "--all-sides"]) == 0
+    assert "1 loop" in capsys.readouterr().out
 
 
 def test_views_keep_what_is_seen(write):

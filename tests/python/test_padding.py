@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 import graspless
-from graspless import geometry
+from graspless import collision, geometry
 from graspless.errors import TaskError
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -175,3 +176,56 @@ def test_a_pinch_keeps_the_padding(tmp_path):
         obstacle["padding"] = 0.1
     (tmp_path / "plan.json").write_text(json.dumps(document))
     assert any("(padding 100 mm)" in fault for fault in graspless.check(tmp_path / "plan.json"))
+
+
+@pytest.mark.parametrize(
+    ("name", "body"), [("26_pinch_then_place", "shelf"), ("21_clasp_then_drag", "floor")]
+)
+def test_a_chain_names_the_stage_whose_ground_has_a_padding(tmp_path, name, body):
+    text = (EXAMPLES / f"{name}.yaml").read_text()
+    assert f"{{name: {body}," in text
+    (tmp_path / "task.yaml").write_text(
+        text.replace(f"{{name: {body},", f"{{padding: 0.01, name: {body},")
+    )
+    with pytest.raises(TaskError, match=rf"{body}: the object stands on it, but it has a padding"):
+        graspless.load_task(tmp_path / "task.yaml")
+
+
+def test_reasons_name_the_padding():
+    """Walls beside a box, between which the hand has room, but not twice the padding."""
+    task = yaml.safe_load((EXAMPLES / "25_pinch_box.yaml").read_text())
+    x, y, yaw = (task["object"]["pose"].get(key, 0.0) for key in ("x", "y", "yaw"))
+
+    def plan(padding):
+        task["obstacles"] = [
+            {
+                "name": f"wall {side}",
+                "box": [0.3, 0.004, 0.14],
+                "pose": {
+                    "position": [
+                        x - side * 0.11 * np.sin(yaw),
+                        y + side * 0.11 * np.cos(yaw),
+                        0.07,
+                    ],
+                    "rpy": [0, 0, yaw],
+                },
+                "padding": padding,
+            }
+            for side in (-1, 1)
+        ]
+        return graspless.plan(task, seed=1, seconds=20)
+
+    assert plan(0.0)
+    for padding in (0.02, 0.03, 0.04, 0.05, 0.06):
+        refused = plan(padding)
+        if not refused:
+            break
+    assert str(refused.status) == "not_reached", refused.reason
+    assert refused.reason.count("a smaller padding may help") == 1
+
+
+@pytest.mark.parametrize("padding", [-0.01, 0.6, np.nan])
+def test_obstacles_of_python_refuse_bad_paddings(padding):
+    box = [geometry.PlacedShape(geometry.Box([1, 1, 1]))]
+    with pytest.raises(ValueError, match="padding of obstacle 'a' must be in"):
+        collision.Obstacle("a", box, padding=padding)

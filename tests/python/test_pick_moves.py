@@ -261,6 +261,7 @@ def test_a_tile_is_tumbled_flat_and_slid_to_an_edge():
     assert graspless.check(found.plan) == []
 
 
+@pytest.mark.filterwarnings("ignore:.*no description of the hand")  # for a clasp
 def test_refusals_come_early_and_have_a_number():
     scene = seen(LARGE)
     found = graspless.pick(scene, scene.objects[0].name, TIPS, mass=0.5)
@@ -333,6 +334,7 @@ def test_the_command_and_the_task_file(between_walls, tmp_path, capsys, monkeypa
     assert "its mass is needed" in capsys.readouterr().out
 
 
+@pytest.mark.filterwarnings("ignore:.*no description of the hand")  # for a clasp
 def test_what_a_hand_cannot_do_takes_no_time_of_the_others(between_walls):
     scene, name = between_walls
     for robot, waiting in (("wam_t42", 3), (TIPS, 5)):

@@ -3,6 +3,7 @@
 """Plan files: what is written is what was found, and what is read back replays the same."""
 
 import importlib.util
+import io
 import json
 import os
 import pathlib
@@ -378,3 +379,11 @@ def test_table_reads_what_it_writes(plan, document):
 def test_what_is_no_pose_is_not_converted(call, words):
     with pytest.raises(TaskError, match=words):
         call()
+
+
+def test_text_of_a_plan_is_the_plan(plan):
+    assert graspless.load_plan(io.StringIO(plan.to_json())) == plan
+    with pytest.raises(TaskError, match=r"^plan:1: "):
+        graspless.load_plan(io.StringIO("{"))
+    with pytest.raises(TaskError, match="should be the path of a file"):
+        graspless.load_plan(plan.to_json())

@@ -249,7 +249,7 @@ def test_see_takes_options(folder, capsys):
     for text, words in (
         ("{min_area: 0.5}", "--options:1: min_area: unknown field; did you mean 'min_object_area'"),
         ("{max_height: -1}", "--options:1: max_height: -1: should be greater than"),
-        ("max_height", "--options"),
+        ("max_height", "--options: max_height: should be fields in YAML"),
     ):
         code, said = see(text)
         assert code == 2

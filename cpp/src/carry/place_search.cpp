@@ -55,7 +55,7 @@ PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, plannin
 void PlaceSearch::run(Plan& plan) {
   if (const auto [a, b] = scene_.collision(problem_.q_start); !a.empty()) {
     plan.status = Status::start_in_collision;
-    plan.reason = "at the start, '" + a + "' touches '" + b + "'";
+    plan.reason = "at the start, " + planning::contact(a, b);
     return;
   }
   std::vector<Putting> without_way;

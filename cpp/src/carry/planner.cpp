@@ -48,7 +48,7 @@ Plan searched(const Problem& problem, const Options& options, planning::Clock& c
   Plan plan;
   if (const auto [a, b] = search.touching_at_start(); !a.empty()) {
     plan.status = Status::start_in_collision;
-    plan.reason = "at the start, '" + a + "' touches '" + b + "'";
+    plan.reason = "at the start, " + planning::contact(a, b);
   } else if (const auto path = search.run(); !path.empty()) {
     plan.status = Status::solved;
     plan.segments = {assemble(search, path)};

@@ -40,7 +40,7 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
 void add_obstacles(scene::Scene& scene, int object, const Problem& problem,
                    const Options& options) {
   for (const Obstacle& obstacle : problem.obstacles) {
-    const int body = scene.add_obstacle(obstacle.label(), obstacle.grown(), obstacle.X_WB);
+    const int body = scene.add_obstacle(obstacle.label(), obstacle.solid(), obstacle.X_WB);
     scene.world().add_pair(object, body);
     for (const Rest& rest : problem.rests_on) {
       if (rest.obstacle != obstacle.name) continue;

@@ -24,8 +24,8 @@ void check_bodies(const Problem& problem) {
     throw std::invalid_argument("object" + std::string(error.what()).substr(12));  // obstacles[0]
   }
   if (problem.object.padding != 0) {
-    throw std::invalid_argument("object.padding: give it to the obstacles; it must be 0, not " +
-                                figure(problem.object.padding));
+    throw std::invalid_argument("object.padding must be 0, not " + figure(problem.object.padding) +
+                                "; give the obstacles a padding instead");
   }
   taken.insert(problem.object.name);
   collision::require_obstacles(problem.obstacles, taken, "a link, another obstacle or the object");

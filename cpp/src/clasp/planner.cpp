@@ -15,6 +15,7 @@
 #include "clasp/search/targets.hpp"
 #include "clasp/stability/load.hpp"
 #include "clasp/variants.hpp"
+#include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
 #include "text.hpp"
 
@@ -39,7 +40,7 @@ bool is_start_free(Query& query, Plan& plan) {
   if (query.free.is_free(q)) return true;
   const auto [a, b] = query.free.collision(q);
   plan.status = Status::start_in_collision;
-  plan.reason = "at the start, '" + a + "' touches '" + b + "'";
+  plan.reason = "at the start, " + planning::contact(a, b);
   return false;
 }
 

@@ -2,33 +2,122 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/collision/obstacle.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <list>
+#include <mutex>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/pose.hpp"
 
+#include "collision/prepared.hpp"
+
 namespace graspless::collision {
 namespace {
+
+/// Number of triangles of the meshes among some shapes.
+Eigen::Index triangles_of(const std::vector<geometry::PlacedShape>& shapes) {
+  Eigen::Index count = 0;
+  for (const auto& placed : shapes) {
+    if (const auto* mesh = std::get_if<geometry::Mesh>(&placed.shape))
+      count += mesh->triangles.cols();
+  }
+  return count;
+}
+
+/// True if two shapes of one kind are the same.
+struct Same {
+  const geometry::Shape& other;
+  bool operator()(const geometry::Box& a) const {
+    return a.size == std::get<geometry::Box>(other).size;
+  }
+  bool operator()(const geometry::Sphere& a) const {
+    return a.radius == std::get<geometry::Sphere>(other).radius;
+  }
+  bool operator()(const geometry::Capsule& a) const {
+    const auto& b = std::get<geometry::Capsule>(other);
+    return a.radius == b.radius && a.length == b.length;
+  }
+  bool operator()(const geometry::Convex& a) const {
+    const auto& b = std::get<geometry::Convex>(other);
+    return a.vertices.cols() == b.vertices.cols() && a.vertices == b.vertices;
+  }
+  bool operator()(const geometry::Mesh& a) const {
+    return is_same(a, std::get<geometry::Mesh>(other));
+  }
+};
+
+/// The solids of padded meshes that were asked for last: each triangle has a hull, which takes
+/// 0.2 ms and 4 kB, and planners and checks make worlds again and again.
+class PaddedSolids {
+ public:
+  std::optional<Solid> find(const Obstacle& obstacle) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.obstacle.padding == obstacle.padding &&
+             std::equal(entry.obstacle.shapes.begin(), entry.obstacle.shapes.end(),
+                        obstacle.shapes.begin(), obstacle.shapes.end(), are_same);
+    });
+    if (found == entries_.end()) return std::nullopt;
+    entries_.splice(entries_.begin(), entries_, found);
+    return found->solid;
+  }
+
+  void add(const Obstacle& obstacle, const Solid& solid) {
+    std::list<Entry> added, old;  // made and destroyed while others can ask
+    added.push_back({obstacle, solid, triangles_of(obstacle.shapes)});
+    const std::lock_guard lock(mutex_);
+    count_ += added.front().triangles;
+    entries_.splice(entries_.begin(), added);
+    for (; count_ > kMost && entries_.size() > 1; count_ -= old.front().triangles)
+      old.splice(old.begin(), entries_, std::prev(entries_.end()));
+  }
+
+ private:
+  static constexpr Eigen::Index kMost = 4 * geometry::kMaxPaddedTriangles;
+  struct Entry {
+    Obstacle obstacle;
+    Solid solid;
+    Eigen::Index triangles;
+  };
+  static bool are_same(const geometry::PlacedShape& a, const geometry::PlacedShape& b) {
+    return a.shape.index() == b.shape.index() && a.X_BG.matrix() == b.X_BG.matrix() &&
+           std::visit(Same{b.shape}, a.shape);
+  }
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // the last one first
+  Eigen::Index count_ = 0;
+};
+
+}  // namespace
 
 void require_padding(const Obstacle& obstacle, const std::string& field) {
   if (!(obstacle.padding >= 0 && obstacle.padding <= geometry::kMaxPadding)) {
     std::ostringstream fault;
-    fault << field << ".padding must be in [0, " << geometry::kMaxPadding << "] m, not "
+    fault << field << " must be in [0, " << geometry::kMaxPadding << "] m, not "
           << obstacle.padding;
     throw std::invalid_argument(fault.str());
   }
-  if (obstacle.padding == 0) return;
-  for (const auto& placed : obstacle.shapes) {
-    const auto* mesh = std::get_if<geometry::Mesh>(&placed.shape);
-    if (!mesh || mesh->triangles.cols() <= geometry::kMaxPaddedTriangles) continue;
-    throw std::invalid_argument(field + ".padding: a mesh with a padding must have at most " +
+  const Eigen::Index count = triangles_of(obstacle.shapes);
+  if (obstacle.padding > 0 && count > geometry::kMaxPaddedTriangles) {
+    throw std::invalid_argument(field + ": meshes with a padding must have at most " +
                                 std::to_string(geometry::kMaxPaddedTriangles) + " triangles, not " +
-                                std::to_string(mesh->triangles.cols()) +
-                                "; simplify it, or give boxes or hulls");
+                                std::to_string(count) + "; simplify them, or give boxes or hulls");
   }
 }
 
-}  // namespace
+Solid Obstacle::solid() const {
+  const std::string what = "obstacle '" + name + "'";
+  if (padding == 0 || triangles_of(shapes) == 0) return Solid(grown(), what);
+  // Never destroyed: a thread may still plan when others end.
+  static PaddedSolids& kept = *new PaddedSolids;
+  if (std::optional<Solid> found = kept.find(*this)) return *std::move(found);
+  Solid made(grown(), what);
+  kept.add(*this, made);
+  return made;
+}
 
 std::vector<geometry::PlacedShape> Obstacle::grown() const {
   return padding > 0 ? geometry::grown(shapes, padding) : shapes;
@@ -49,13 +138,17 @@ void require_obstacles(const std::vector<Obstacle>& obstacles, std::set<std::str
     if (!taken.insert(obstacle.name).second) {
       throw std::invalid_argument(field + ".name '" + obstacle.name + "' is taken by " + takers);
     }
+    if (obstacle.padding > 0 && !taken.insert(obstacle.label()).second) {
+      throw std::invalid_argument(field + ": its name in messages, '" + obstacle.label() +
+                                  "', is taken by " + takers);
+    }
     if (obstacle.shapes.empty()) throw std::invalid_argument(field + ".shapes must not be empty");
     for (const auto& placed : obstacle.shapes) {
       geometry::validate(placed.shape, field);
       geometry::require_pose(placed.X_BG, field + ".shapes.X_BG");
     }
     geometry::require_pose(obstacle.X_WB, field + ".X_WB");
-    require_padding(obstacle, field);
+    require_padding(obstacle, field + ".padding");
   }
 }
 

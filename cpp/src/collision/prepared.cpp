@@ -38,11 +38,6 @@ std::uint64_t hash_of(const geometry::Mesh& mesh) {
   return mixed(mixed(count, mesh.vertices), mesh.triangles);
 }
 
-bool is_same(const geometry::Mesh& a, const geometry::Mesh& b) {
-  return a.vertices.cols() == b.vertices.cols() && a.triangles.cols() == b.triangles.cols() &&
-         a.vertices == b.vertices && a.triangles == b.triangles;
-}
-
 Eigen::Index size_of(const geometry::Mesh& mesh) {
   return std::max(mesh.triangles.cols(), mesh.vertices.cols());
 }
@@ -92,6 +87,11 @@ Kept& kept_of(Eigen::Index size) {
 }
 
 }  // namespace
+
+bool is_same(const geometry::Mesh& a, const geometry::Mesh& b) {
+  return a.vertices.cols() == b.vertices.cols() && a.triangles.cols() == b.triangles.cols() &&
+         a.vertices == b.vertices && a.triangles == b.triangles;
+}
 
 CollisionShape prepared(const geometry::Mesh& mesh,
                         const std::function<CollisionShape(const geometry::Mesh&)>& make) {

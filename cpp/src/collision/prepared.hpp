@@ -16,4 +16,6 @@ namespace graspless::collision {
 CollisionShape prepared(const geometry::Mesh& mesh,
                         const std::function<CollisionShape(const geometry::Mesh&)>& make);
 
+bool is_same(const geometry::Mesh& a, const geometry::Mesh& b);
+
 }  // namespace graspless::collision

@@ -64,7 +64,7 @@ class Search {
     plan.opening = jaw_.widest();
     if (const auto [a, b] = scene_.collision(problem_.q_home); !a.empty()) {
       plan.status = Status::start_in_collision;
-      plan.reason = "at home, '" + a + "' touches '" + b + "'";
+      plan.reason = "at home, " + planning::contact(a, b);
       return plan;
     }
     Grasps grasps = find_grasps(problem_, options_, jaw_);

@@ -9,6 +9,24 @@
 
 namespace graspless::planning {
 
+/// True if the name of a body, or a text with one, is that of an obstacle with a padding.
+inline bool is_padded(const std::string& text) { return text.find("(padding ") != text.npos; }
+
+/// Two bodies in contact, and a remedy if one has a padding.
+inline std::string contact(const std::string& a, const std::string& b) {
+  const bool has_padding = is_padded(a) || is_padded(b);
+  return "'" + a + "' touches '" + b + "'" + (has_padding ? "; a smaller padding may help" : "");
+}
+
+/// The most frequent obstruction by an obstacle with a padding.
+inline auto most_padded(const std::map<std::string, std::int64_t>& refusals) {
+  auto most = refusals.end();
+  for (auto it = refusals.begin(); it != refusals.end(); ++it) {
+    if (is_padded(it->first) && (most == refusals.end() || it->second > most->second)) most = it;
+  }
+  return most;
+}
+
 /// End of the reason of a search that found nothing: what stopped it most often, and that it is
 /// unfinished if the budget ended it. `refusals`: how often each obstruction was met.
 inline std::string obstruction(const std::map<std::string, std::int64_t>& refusals,
@@ -17,6 +35,10 @@ inline std::string obstruction(const std::map<std::string, std::int64_t>& refusa
                                      [](auto& a, auto& b) { return a.second < b.second; });
   std::string text;
   if (most != refusals.end()) text += "; most frequent obstruction: " + most->first;
+  if (const auto padded = most_padded(refusals); padded != refusals.end()) {
+    if (padded != most) text += ", and " + padded->first;
+    text += "; a smaller padding may help";
+  }
   if (is_unfinished) text += "; the budget ran out before everything was tried";
   return text;
 }

@@ -224,7 +224,7 @@ HandScene::HandScene(const Problem& problem, const robot::Robot& robot,
   for (const Plane& plane : problem.planes)
     scene_.add_obstacle(plane.name, {plane_box()}, plane_pose(plane, p_WB));
   for (const Obstacle& obstacle : problem.obstacles)
-    scene_.add_obstacle(obstacle.label(), obstacle.grown(), obstacle.X_WB);
+    scene_.add_obstacle(obstacle.label(), obstacle.solid(), obstacle.X_WB);
   object_ = scene_.add_object(problem.object.name(), problem.object.solid());
   n_O_.colwise() = Eigen::Vector3d::UnitZ();
 }

@@ -45,7 +45,7 @@ int Replay::add(const std::string& name, const collision::Solid& solid, bool car
 }
 
 int Replay::add(const collision::Obstacle& obstacle) {
-  const int body = add(obstacle.label(), collision::Solid(obstacle.grown(), obstacle.name), true);
+  const int body = add(obstacle.label(), obstacle.solid(), true);
   world_.set_pose(body, obstacle.X_WB);
   return body;
 }

@@ -32,7 +32,7 @@ scene::Scene make_scene(const Problem& problem) {
   scene.add_obstacle(kSupportBody, problem.support.solid(), problem.support.X_WS());
   const int object = scene.add_object(kObjectBody, problem.object.solid());
   for (const Obstacle& obstacle : problem.obstacles) {
-    const int body = scene.add_obstacle(obstacle.label(), obstacle.grown(), obstacle.X_WB);
+    const int body = scene.add_obstacle(obstacle.label(), obstacle.solid(), obstacle.X_WB);
     scene.world().add_pair(object, body);
   }
   scene.move_object(object, problem.X_WO_start);

@@ -9,6 +9,7 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/slide/resume.hpp"
 
+#include "planning/obstruction.hpp"
 #include "slide/refusals.hpp"
 #include "text.hpp"
 
@@ -97,8 +98,8 @@ std::nullopt_t refuse_invalid(Query& query, const VectorXd& start, Plan& plan) {
   if (const auto& touching = query.contact.touching()) {
     const collision::World& world = query.contact.scene().world();
     return refuse(plan, Status::start_in_collision,
-                  "where the slide is to go on, '" + world.name(touching->first) + "' touches '" +
-                      world.name(touching->second) + "'");
+                  "where the slide is to go on, " +
+                      planning::contact(world.name(touching->first), world.name(touching->second)));
   }
   const Tip tip = query.contact.tip_at(start);
   const geometry::Polygon& polygon = query.problem.support.polygon();

@@ -12,6 +12,7 @@
 #include "graspless/slide/tube.hpp"
 
 #include "collision/overlap.hpp"
+#include "planning/obstruction.hpp"
 #include "robot/moved_links.hpp"
 #include "robot/names.hpp"
 #include "slide/placement.hpp"
@@ -150,7 +151,8 @@ bool is_home_free(Query& query, Plan& plan) {
     plan.reason =
         "at q_home, '" + a + "' touches '" + b + "', " +
         depth(world, {world.body(a), world.body(b)}) +
-        (is_link ? "; choose another q_home (robot.home of a task)" : "; move one of them");
+        (is_link ? "; choose another q_home (robot.home of a task)" : "; move one of them") +
+        (planning::is_padded(a) || planning::is_padded(b) ? "; a smaller padding may help" : "");
     return false;
   }
   if (query.is_motion_free(home, open)) return true;

@@ -552,11 +552,20 @@ class LoopOptions:
     """
     Options of shortest_loops().
     """
-    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1) -> None:
+    def __init__(self, *, max_edge_length: typing.SupportsFloat | typing.SupportsIndex = 0.0, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1, all_sides: bool = False) -> None:
         """
         Any field by keyword; the others keep their defaults.
         """
     def __repr__(self) -> str:
+        ...
+    @property
+    def all_sides(self) -> bool:
+        """
+        The points are of all sides of the object: no loop is the edge of what a camera saw.
+        No effect with rays.
+        """
+    @all_sides.setter
+    def all_sides(self, arg0: bool) -> None:
         ...
     @property
     def drop_meridians(self) -> bool:
@@ -993,7 +1002,7 @@ def seen_heights(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]
         2e7 voxels of two cells' height below the top, or no height.
     """
 @typing.overload
-def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
+def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], max_edge_length: typing.SupportsFloat | typing.SupportsIndex | None = None, *, min_ratio: typing.SupportsFloat | typing.SupportsIndex = 2.25, max_points: typing.SupportsInt | typing.SupportsIndex = 5000, polish: bool = False, drop_meridians: bool = True, threads: typing.SupportsInt | typing.SupportsIndex = 1, all_sides: bool = False, rays: collections.abc.Sequence[RayImage] = []) -> Loops:
     """
     Finds the shortest loops through the holes of the object that a cloud was taken from.
     
@@ -1006,12 +1015,13 @@ def shortest_loops(points: typing.Annotated[numpy.typing.ArrayLike, numpy.float6
         Points on the object's surface [m], in any frame.
     max_edge_length : float, optional
         d of K_d [m]. None: each hole has its own.
-    min_ratio, max_points, polish, drop_meridians, threads : optional
+    min_ratio, max_points, polish, drop_meridians, threads, all_sides : optional
         See LoopOptions.
     rays : list of RayImage, optional
         Rays of the cameras that saw the points. A loop is then a hole if rays passed through it.
         Without them the distances between the points decide, which is right for points from all
-        sides only: no loop is found if one camera could have seen nearly all points.
+        sides only: without `all_sides`, no loop is found if one camera could have seen nearly all
+        points.
     
     Returns
     -------

@@ -69,9 +69,9 @@ class Budget:
         """
     def stop(self) -> None:
         """
-        Stops the query that uses this budget, from any thread. The query returns within about 10 ms.
+        Stops the search that uses this budget, from any thread. The search returns within about 10 ms; a task that is being read is read first.
         
-        A stopped budget stays stopped: later queries that use it end at once.
+        A stopped budget stays stopped: later searches that use it end at once.
         """
     @property
     def is_stopped(self) -> bool:

@@ -106,7 +106,7 @@ def carry_out(job: Job) -> Outcome:
             outcome = without_plan(job, FAILED, f"{type(error).__name__}: {error}")
     if outcome.row is None:
         return outcome
-    told = [str(warning.message) for warning in caught if warning.category is UserWarning]
+    told = [str(warning.message) for warning in caught if issubclass(warning.category, UserWarning)]
     row = outcome.row | {"warnings": told, "total_seconds": time.perf_counter() - start}
     if outcome.plan is None or job.output is None:
         return replace(outcome, row=row)

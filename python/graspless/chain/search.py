@@ -62,7 +62,8 @@ def search(task: Task, budget: planning.Budget) -> Found:
     best: Found | None = None
     for attempt in range(task.options.attempts):
         found = _attempt(task, budget, began, attempt)
-        if best is None or found.status == "solved" or len(found.stages) > len(best.stages):
+        is_end = found.status in ("solved", "interrupted")
+        if best is None or is_end or len(found.stages) > len(best.stages):
             best = found
         best.statistics.attempts = attempt + 1
         if not found.may_do_better() or time.monotonic() - began >= budget.seconds:

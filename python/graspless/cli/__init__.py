@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import errno
 import importlib
 import json
 import os
@@ -25,6 +26,9 @@ from ..errors import OutOfTimeError, TaskError, explain, suggestion
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+
+# Errors of a stream that cannot be written. Others without a file are those of a library.
+OF_STREAMS = (errno.EBADF, errno.EFBIG, errno.EINVAL, errno.EIO, errno.ENOSPC, errno.EPIPE)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -71,7 +75,7 @@ def _run(arguments: Sequence[str] | None) -> int:
         print("interrupted", file=sys.stderr)
         return INTERRUPTED
     except OSError as error:
-        if error.filename is None:  # a stream's
+        if error.filename is None and error.errno in OF_STREAMS:
             raise
         return _refuse(f"{command}: {explain(error)}", error)
     except Exception as error:  # whatever a library raises: exit code 1 would mean "not found"

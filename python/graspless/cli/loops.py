@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "code is 1 if no hole is reliable. For an object that cameras saw, name the scene file of "
         "`graspless see`: then rays that passed through a loop decide whether it is a hole. "
         "Without rays, the distances between the points decide, and no hole is reliable in a cloud "
-        "of one side; but with much noise such a cloud is not recognised: give --viewpoints."
+        "of one side; but with much noise not all such clouds are recognised: give --viewpoints."
     )
     parser.add_argument(
         "file",
@@ -50,6 +50,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="X Y Z",
         help="positions of the cameras that saw the cloud, three numbers each, in its frame and "
         "unit; a place without points is then one that rays passed",
+    )
+    parser.add_argument(
+        "--all-sides",
+        action="store_true",
+        help="the cloud is of all sides of the object, as closed meshes (.stl, .obj, .off) are: no "
+        "loop is the edge of what a camera saw; no effect with rays",
     )
     parser.add_argument(
         "--unit",
@@ -97,11 +103,12 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
-    cloud, rays = _read(options)
+    cloud, rays = _read(options)  # raises if the file cannot be read
     asked = geometry.LoopOptions()
     if options.max_edge_length is not None:
         asked.max_edge_length = options.max_edge_length
     asked.polish = options.polish
+    asked.all_sides = options.all_sides or _is_closed(options)
     asked.threads = require_integer("--threads", options.threads, least=1, most=MOST_THREADS)
     try:
         found = geometry.shortest_loops(cloud, asked, rays)
@@ -116,6 +123,15 @@ def _run(options: argparse.Namespace) -> int:
         if options.png is not None:
             print(f"written: {options.png}")
     return FOUND if found.found else NOT_FOUND
+
+
+def _is_closed(options: argparse.Namespace) -> bool:
+    """Returns True of a closed mesh without viewpoints."""
+    from .. import geometry
+    from ..tasks.clasp.cloud import is_closed
+
+    is_mesh = Path(options.file).suffix.lower() in MESHES
+    return is_mesh and not options.viewpoints and is_closed(geometry.read_mesh(options.file))
 
 
 def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]:

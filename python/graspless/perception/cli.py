@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._commands import FOUND, NOT_FOUND
-from ..errors import TaskError, explain
+from ..errors import TaskError, explain, is_of_library
 from ..files import absence
 
 if TYPE_CHECKING:
@@ -132,6 +132,10 @@ def _perception_options(text: str | None) -> Options:
 
     if text is None:
         return Options()
+    if not text.lstrip().startswith("{") and ":" not in text:
+        known = ", ".join(Given.model_fields)
+        what = f"should be fields in YAML, such as '{{max_height: 0.4}}' (one of: {known})"
+        raise TaskError(f"--options: {text}: {what}")
     fields: Fields = parse_yaml(text, "--options").validate(Given)
     return Options(**fields.model_dump(exclude_none=True))
 
@@ -211,6 +215,8 @@ def _view_of_arrays(path: Path) -> View:
     try:
         found = read_arrays(path, MOST, wanted=("depth", "frames", "K", "X_WC"))
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
+        if not is_of_library(error):
+            raise
         raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
     missing, hint = [name for name in ("K", "X_WC") if name not in found], ""
     if "depth" in found and "frames" in found:

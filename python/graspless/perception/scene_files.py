@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 
 from .. import files, frames
 from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
-from ..errors import TaskError, explain
+from ..errors import TaskError, explain, is_of_library
 from ..tasks.meshes import checksum
 from ..tasks.rays import RayCamera, camera_fields
 from ..tasks.reading import read_yaml
@@ -298,6 +298,8 @@ def _clouds(fields: SceneFields, source: Source, directory: Path) -> dict[str, M
     try:
         clouds = {name: np.asarray(rows, float) for name, rows in read_arrays(path, MOST).items()}
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
+        if not is_of_library(error):
+            raise
         raise source.error(("points",), f"cannot be read: {explain(error)}") from None
     for thing in fields.objects:
         for name in (thing.name, *(_name_of(thing.name, i) for i in range(len(thing.rays)))):

@@ -119,8 +119,8 @@ def misplaced(move: Move, wish: Wish) -> str:
             continue
         X_WO = np.asarray(other.X_WO)
         ring = np.asarray(other.outline) @ X_WO[:2, :2].T + X_WO[:2, 3]
-        inside = any(own.contains(p) for p in dense(ring, SPACING))
-        if inside or geometry.Polygon(ring).contains(move.goal.corners[0]):
+        near = any(own.contains(p) or own.depth(p) > -wish.room for p in dense(ring, SPACING))
+        if near or geometry.Polygon(ring).contains(move.goal.corners[0]):
             return f"'{other.name}' is there"
     return ""
 

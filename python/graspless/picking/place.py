@@ -135,7 +135,7 @@ class Target:
         Unless `in_region`, it may be outside the region. The number counts the conditions that
         hold, in the order in which they are looked at.
         """
-        margin, gap = MARGIN + slack, GAP + slack
+        margin, gap = MARGIN + slack, max(GAP, self.wish.room) + slack
         inside = float(self.polygon.depth(X_SO[:2, 3]))
         if inside < margin:
             where = "beyond" if inside < 0 else "from"

@@ -67,6 +67,8 @@ class Wish:
         Obstacles of a task that has the support, and of one that needs it as an obstacle.
     trust : bool
         Let xacro files of the robot read any file and run code.
+    padding : float
+        Distance to keep from the other objects [m].
     """
 
     thing: Object
@@ -80,6 +82,12 @@ class Wish:
     beside: list[dict[str, Any]]
     around: list[dict[str, Any]]
     trust: bool = False
+    padding: float = 0.0
+
+    @property
+    def room(self) -> float:
+        """Distance to other objects that their padding takes, which their hulls exceed [m]."""
+        return 1.26 * self.padding
 
     @property
     def name(self) -> str:
@@ -165,6 +173,7 @@ def wish_of(
             scenes.obstacles(scene, thing, respect, has_support=True, padding=padding)
         ),
         trust=trust,
+        padding=padding,
     )
 
 

@@ -8,7 +8,7 @@ import json
 import re
 from collections import Counter
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TextIO
 
 from pydantic_core import from_json
 
@@ -26,13 +26,13 @@ if TYPE_CHECKING:
     from ..tasks.source import Location
 
 
-def load_plan(path: str | Path) -> Plan:
+def load_plan(path: str | Path | TextIO) -> Plan:
     """Reads a plan file.
 
     Parameters
     ----------
-    path : str or Path
-        As `Plan.save` or `graspless plan` wrote it.
+    path : str, Path or text stream
+        As `Plan.save` or `graspless plan` wrote it; `io.StringIO` of text from a database.
 
     Returns
     -------
@@ -43,7 +43,10 @@ def load_plan(path: str | Path) -> Plan:
     TaskError
         The file is missing, is not a plan, or a mesh that it was made with has changed.
     """
-    return read_plan(read_text(path), str(path))
+    given: Any = path
+    if hasattr(given, "read"):
+        return read_plan(given.read(), str(getattr(given, "name", "plan")))
+    return read_plan(read_text(given), str(given))
 
 
 def as_plan(plan: Plan | str | Path) -> Plan:

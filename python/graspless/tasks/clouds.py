@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import warn
+from ..errors import is_of_library, warn
 from ..files import absence
 
 if TYPE_CHECKING:
@@ -51,6 +51,8 @@ def read_cloud(path: str | Path) -> Matrix:
     try:
         points = readers[path.suffix.lower()](path)
     except Exception as error:  # readers of broken files raise whatever they stumble over
+        if not is_of_library(error):
+            raise
         first = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise ValueError(f"cannot be read as a point cloud: {first}") from None
     if not len(points):
@@ -70,7 +72,9 @@ def stated_viewpoint(path: Path) -> list[float] | None:
         return None
     try:
         viewpoint = [float(value) for value in _pcd_header(path)[0].viewpoint]
-    except Exception:  # of a broken file, which `read_cloud` reports
+    except Exception as error:  # of a broken file, which `read_cloud` reports
+        if not is_of_library(error):
+            raise
         return None
     return None if viewpoint == [0, 0, 0, 1, 0, 0, 0] else viewpoint[:3]
 

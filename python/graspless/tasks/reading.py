@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from ..errors import TaskError
+from ..errors import TaskError, is_of_library
 from ..files import as_path
 from ..limits import uncounted, without_collector
 from .source import DEEPEST, MOST_DIGITS, Location, Source, dotted, shorten
@@ -22,6 +22,8 @@ def read_text(path: str | Path) -> str:
     try:
         return file.read_text(encoding="utf-8-sig")  # Windows editors write a byte order mark
     except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
         raise TaskError(f"{path}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise TaskError(f"{path}: not a text file in UTF-8") from None
@@ -61,6 +63,8 @@ def parse_yaml(text: str, file: str) -> Source:
     except TaskError:
         raise
     except Exception as error:  # text that libyaml cannot encode
+        if not is_of_library(error):
+            raise
         raise TaskError(f"{file}:1: not valid YAML: {error}") from error
     if not isinstance(data, dict):
         raise TaskError(f"{file}:1: should be a mapping of fields, see docs/task-files.md")
@@ -160,6 +164,8 @@ def _require_value(node: Any, place: Location, file: str, loader: Any) -> None:
     except yaml.YAMLError:
         raise
     except Exception as error:  # PyYAML's constructors raise whatever they stumble over
+        if not is_of_library(error):
+            raise
         where = f"{file}:{node.start_mark.line + 1}: {dotted(place)}{shorten(node.value)}"
         long = f" of at most {MOST_DIGITS} digits" if kind == "int" else ""
         raise TaskError(f"{where}: should be a value of type {kind}{long}") from error

@@ -197,6 +197,8 @@ def _read_xml(
             return _expand_xacro(path, arguments, packages, source.is_trusted)
         text = path.read_text(encoding="utf-8")
     except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
         raise source.error(location, f"cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise source.error(location, "is not a text file in UTF-8") from None

@@ -16,10 +16,14 @@ import logging
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from toppra.algorithm import TOPPRA
-from toppra.constraint import LinearConstraint
-from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
-from toppra.interpolator import AbstractGeometricPath
+
+from .later import imported_later
+
+with imported_later("matplotlib", "matplotlib.pyplot"):  # to plot, which nobody asks for here
+    from toppra.algorithm import TOPPRA
+    from toppra.constraint import LinearConstraint
+    from toppra.constraint.linear_constraint import canlinear_colloc_to_interpolate
+    from toppra.interpolator import AbstractGeometricPath
 
 from .limits import bounds
 from .motion import Motion, profile_of

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graspless/collision/obstacle.hpp"
 
-#include <random>
+#include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -108,6 +109,32 @@ TEST(Obstacle, TellsItsPadding) {
   EXPECT_EQ(cup.grown().size(), 1u);
   cup.padding = 0.0125;
   EXPECT_EQ(cup.label(), "cup (padding 12.5 mm)");
+}
+
+TEST(Obstacle, KeepsTheSolidsOfPaddedMeshes) {
+  const Obstacle thing{"thing", {{tent(), kAside}, {geometry::Sphere{0.1}, kAside}}, kAside, 0.01};
+  const auto* first = &thing.solid().data();
+  Obstacle other = thing;
+  other.name = "other";
+  EXPECT_EQ(&other.solid().data(), first);
+  other.padding = 0.02;
+  EXPECT_NE(&other.solid().data(), first);
+  other = thing;
+  other.shapes[0].X_BG = Isometry3d::Identity();
+  EXPECT_NE(&other.solid().data(), first);
+  other = thing;
+  other.shapes[1].shape = geometry::Sphere{0.11};
+  EXPECT_NE(&other.solid().data(), first);
+  other.shapes[1].shape = geometry::Box{{0.1, 0.1, 0.1}};
+  EXPECT_NE(&other.solid().data(), first);
+  EXPECT_EQ(&thing.solid().data(), first);  // still
+}
+
+TEST(Obstacle, RefusesTheLabelOfAnother) {
+  const std::vector<PlacedShape> ball{{geometry::Sphere{0.1}, kAside}};
+  const Obstacle padded{"a", ball, kAside, 0.01}, named{"a (padding 10 mm)", ball, kAside};
+  for (const auto& both : {std::vector{padded, named}, std::vector{named, padded}})
+    expect_refused([&] { require_obstacles(both); }, "'a (padding 10 mm)'");
 }
 
 TEST(Obstacle, RefusesABadPadding) {

@@ -65,6 +65,9 @@ struct LoopOptions {
   bool drop_meridians = true;
   /// Number of threads that share the polishing, in [1, 256]. Loops do not depend on it.
   int threads = 1;
+  /// The points are of all sides of the object: no loop is the edge of what a camera saw. No
+  /// effect with rays.
+  bool all_sides = false;
 };
 
 /// Throws std::invalid_argument that names the option, its value and the allowed range.

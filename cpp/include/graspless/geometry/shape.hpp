@@ -63,7 +63,7 @@ GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 /// [m].
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
-/// Largest padding of a shape [m], and most triangles of a mesh that gets one.
+/// Largest padding of a shape [m], and most triangles of the meshes of a body that gets one.
 constexpr double kMaxPadding = 0.5;
 constexpr int kMaxPaddedTriangles = 5000;
 

@@ -12,7 +12,7 @@ FreeSpace::FreeSpace(const Problem& problem)
       scene_(problem.robot),
       object_(problem) {
   for (const Obstacle& obstacle : problem.obstacles) {
-    scene_.add_obstacle(obstacle.label(), obstacle.grown(), obstacle.X_WB);
+    scene_.add_obstacle(obstacle.label(), obstacle.solid(), obstacle.X_WB);
   }
   update_poses(robot_.clamp(Eigen::VectorXd::Zero(robot_.dof())));
   for (const int link : object_.links()) {

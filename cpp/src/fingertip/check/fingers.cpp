@@ -107,7 +107,7 @@ struct Examination::World {
   World(const Problem& problem, double radius) {
     object = world.add_body("the object", problem.object.solid());
     for (const Obstacle& obstacle : problem.obstacles) {
-      const int body = world.add_body("obstacle '" + obstacle.label() + "'", obstacle.grown());
+      const int body = world.add_body("obstacle '" + obstacle.label() + "'", obstacle.solid());
       world.set_pose(body, obstacle.X_WB);
       world.add_pair(object, body);
     }

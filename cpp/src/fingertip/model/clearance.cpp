@@ -17,7 +17,7 @@ constexpr double kMostSteps = 3000;  // of a way
 
 int add_obstacles(collision::World& world, const std::vector<Obstacle>& obstacles, int moving) {
   for (const Obstacle& obstacle : obstacles) {
-    const int body = world.add_body("obstacle " + obstacle.label(), obstacle.grown());
+    const int body = world.add_body("obstacle " + obstacle.label(), obstacle.solid());
     world.set_pose(body, obstacle.X_WB);
     world.add_pair(moving, body);
   }

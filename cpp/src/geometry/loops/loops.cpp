@@ -15,7 +15,6 @@
 #include "graspless/geometry/sampling.hpp"
 #include "graspless/geometry/shape.hpp"
 
-#include "geometry/complex/plateaus.hpp"
 #include "geometry/cycles/shortest_basis.hpp"
 #include "geometry/loops/classes.hpp"
 #include "geometry/loops/evidence.hpp"
@@ -23,6 +22,7 @@
 #include "geometry/loops/polish.hpp"
 #include "geometry/loops/report.hpp"
 #include "geometry/loops/resolution.hpp"
+#include "geometry/loops/scales.hpp"
 #include "geometry/loops/thickness.hpp"
 #include "geometry/require_points.hpp"
 #include "geometry/sampling/downsample.hpp"
@@ -70,69 +70,6 @@ Filtration filtration_of(const Eigen::Matrix3Xd& points) {
   Filtration filtration(points, "points");
   require_enough(filtration.num_vertices());
   return filtration;
-}
-
-/// Least ratio of a plateau that is clear of other classes, and largest d relative to the death of
-/// its holes.
-constexpr double kClearRatio = 1.2, kCoarsest = 0.75;
-
-using Judged = std::vector<JudgedClass>;
-
-bool is_alive(const JudgedClass& judged, double d) {
-  return judged.span.birth < d && d <= judged.span.death;
-}
-
-/// True if the loop of a class is at its own scale in K_d.
-bool accepts(const JudgedClass& judged, double d) {
-  return judged.span.birth < d && d <= judged.coarsest();
-}
-
-/// The values of d that most classes accept; the lowest of them, where K_d is finest.
-Plateau common_scale(const Judged& classes) {
-  std::vector<PersistencePair> scales;
-  for (const JudgedClass& judged : classes)
-    scales.push_back({judged.span.birth, judged.coarsest()});
-  Plateau best;
-  for (const Plateau& plateau : plateaus(scales, 1)) {
-    if (plateau.loops > best.loops || (plateau.loops == best.loops && plateau.lower < best.lower))
-      best = plateau;
-  }
-  return best;
-}
-
-/// The lowest d at which exactly the holes live, and gaps and insides of handles do not: K_d is the
-/// object without its hollows. 0 if there is none that is clear of other classes.
-double clear_edge_length(const Filtration& filtration, const Judged& holes) {
-  Plateau lowest;
-  for (const Plateau& plateau : filtration.plateaus()) {
-    const bool holds_all = std::all_of(holes.begin(), holes.end(), [&](const JudgedClass& hole) {
-      return hole.span.birth <= plateau.lower && plateau.upper <= hole.span.death &&
-             plateau.lower < kCoarsest * hole.span.death;
-    });
-    const bool is_lower = lowest.loops == 0 || plateau.lower < lowest.lower;
-    if (plateau.ratio() >= kClearRatio && holds_all && is_lower &&
-        plateau.loops == static_cast<int>(holes.size()))
-      lowest = plateau;
-  }
-  return lowest.loops > 0 ? edge_length_on(lowest, filtration.betti()) : 0;
-}
-
-/// d at which most of the holes are at their own scale. If there is none, of the other classes.
-double common_edge_length(const Filtration& filtration, const Judged& holes,
-                          const Judged& classes) {
-  Plateau scale = common_scale(holes.empty() ? classes : holes);
-  const double middle = std::sqrt(scale.lower * scale.upper);
-  scale.loops = static_cast<int>(
-      std::count_if(classes.begin(), classes.end(),
-                    [&](const JudgedClass& judged) { return is_alive(judged, middle); }));
-  return edge_length_on(scale, filtration.betti());
-}
-
-Judged holes_of(const Judged& classes) {
-  Judged holes;
-  std::copy_if(classes.begin(), classes.end(), std::back_inserter(holes),
-               [](const JudgedClass& judged) { return judged.kind == JudgedClass::Kind::found; });
-  return holes;
 }
 
 /// `columns[i]` is the index of point i in the cloud that the caller gave.
@@ -302,7 +239,7 @@ Loops shortest_loops(const Eigen::Matrix3Xd& points, const LoopOptions& options,
   if (!rays.empty()) {
     weigh(Evidence(rays, filtration.points()), spacing(filtration.points()), result);
     choose_complex(filtration, result);
-  } else {
+  } else if (!options.all_sides) {
     doubt_if_one_sided(filtration.points(), result);
   }
   if (result.complex.edges.cols() == 0) result.surface = surface_of_cloud(filtration);

@@ -51,7 +51,9 @@ def read_stages(chain: ChainTask, source: Source, directory: Path) -> list[Stage
     for key in SHARED:
         if getattr(chain, key) is not None and key not in taken:
             raise source.error((key,), "no stage of this chain has such a field")
-    return [_resolved(stage, i, directory) for i, stage in enumerate(named)]
+    stages = [_resolved(stage, i, directory) for i, stage in enumerate(named)]
+    _require_bare(stages)
+    return stages
 
 
 def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
@@ -65,6 +67,25 @@ def stages_of_plan(chain: ChainTask, source: Source) -> list[Stage]:
         kind.require_resolved(validated, stage)
         found.append(Stage(stage.name, validated, stage, stage))
     return found
+
+
+def _require_bare(stages: list[Stage]) -> None:
+    """Raises TaskError if a carried object lies, or is put down, on something with a padding."""
+    around: list[Any] = []
+    for stage in stages:
+        own = getattr(stage.fields, "obstacles", None)
+        around = around if own is None else own
+        if stage.fields.kind != "carry":
+            continue
+        places: dict[Location, str] = {
+            ("rests_on", i): name for i, name in enumerate(stage.fields.rests_on)
+        }
+        if stage.fields.place is not None:
+            places["place", "on"] = stage.fields.place.on
+        for place, name in places.items():
+            if any(body.name == name and body.padding > 0 for body in around):
+                what = "the object stands on it, but it has a padding: should have none"
+                raise stage.source.error(place, f"{name}: {what} in the obstacles of this stage")
 
 
 def _merged(source: Source, index: int, directory: Path) -> StageSource:

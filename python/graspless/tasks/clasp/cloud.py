@@ -41,6 +41,8 @@ def resolve_object(thing: model.Object, source: Source, directory: Path) -> mode
         "views": [],
         "noise": 0.0,
     }
+    if thing.loops.all_sides is None and not thing.views and _is_closed(thing, directory):
+        update["loops"] = thing.loops.model_copy(update={"all_sides": True})
     if thing.views:
         with at(source, "object", "views"):
             rays = geometry.rays_from_viewpoints(points, np.array(thing.views))
@@ -93,6 +95,21 @@ def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
     else:
         shapes = clasp.sample_object(thing.sample or "")
     return np.asarray(geometry.sample_surface(shapes, count, thing.seed))
+
+
+def _is_closed(thing: model.Object, directory: Path) -> bool:
+    """Returns True of an object that comes with graspless, and of a closed mesh."""
+    if thing.mesh is None:
+        return thing.sample is not None
+    return is_closed(geometry.read_mesh(str(directory / thing.mesh.file)))
+
+
+def is_closed(mesh: geometry.Mesh) -> bool:
+    """Returns True if each edge of a mesh joins two triangles, as points that are equal are one."""
+    import trimesh
+
+    surface: Any = trimesh.Trimesh(np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    return bool(surface.is_watertight)
 
 
 def _seen(points: Matrix, views: list[list[float]]) -> Matrix:

@@ -64,6 +64,11 @@ class LoopOptions(Fields):
     threads: Annotated[int, Field(ge=1, le=256)] | None = Field(
         default=None, description="threads that share the polishing; loops do not depend on it"
     )
+    all_sides: bool | None = Field(
+        default=None,
+        description="the points are of all sides: no loop is the edge of what a camera saw; "
+        "default: of closed meshes without views",
+    )
 
 
 class Object(Fields):

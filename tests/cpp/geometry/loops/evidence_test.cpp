@@ -4,12 +4,16 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "graspless/geometry/sampling.hpp"
+
 #include "complaint.hpp"
+#include "geometry/loops/one_sided.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -252,10 +256,33 @@ TEST(OneSided, ALoopOfOneViewIsUncertainWithoutItsCamera) {
   ASSERT_FALSE(one.uncertain.empty());
   EXPECT_NE(one.reason.find("one camera could have seen all points"), std::string::npos)
       << one.reason;
+  LoopOptions options;
+  options.all_sides = true;  // says who knows that it is so
+  EXPECT_FALSE(shortest_loops(look(frame(), {kFront}).points, options).found.empty());
   const Eigen::Vector3d side(0.4, 0.2, 0.1);
   const std::vector<Eigen::Vector3d> around{kFront, -kFront, side, -side};
   const Loops all = shortest_loops(look(frame(), around).points);
   EXPECT_FALSE(all.found.empty()) << all.reason;
+}
+
+/// Points with noise of a part of their spacing in all directions.
+Eigen::Matrix3Xd rough(Eigen::Matrix3Xd points, double part, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, part * spacing(points));
+  for (double& value : points.reshaped()) value += noise(random);
+  return points;
+}
+
+TEST(OneSided, NoiseDoesNotMakeTheLoopsOfOneViewHoles) {
+  const Eigen::Vector3d side(0.4, 0.2, 0.1);
+  const Eigen::Matrix3Xd one = look(frame(), {kFront}).points;
+  const Eigen::Matrix3Xd all = look(frame(), {kFront, -kFront, side, -side}).points;
+  for (const double part : {0.3, 0.5, 0.7}) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      EXPECT_TRUE(is_one_sided(rough(one, part, seed))) << part << " " << seed;
+      EXPECT_FALSE(is_one_sided(rough(all, part, seed))) << part << " " << seed;
+    }
+  }
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Found {
 Found look(const Eigen::Matrix3Xd& cloud, double d, const std::vector<RayImage>& rays = {}) {
   LoopOptions options;
   options.max_edge_length = d;
+  options.all_sides = true;
   const Loops loops = shortest_loops(cloud, options, rays);
   std::vector<std::pair<Loop, bool>> all;
   for (const Loop& loop : loops.found) all.emplace_back(loop, false);
