@@ -38,10 +38,11 @@ struct Found {
 };
 
 /// Holes and meridians in K_d, shortest first.
-Found look(const Eigen::Matrix3Xd& cloud, double d, const std::vector<RayImage>& rays = {}) {
+Found look(const Eigen::Matrix3Xd& cloud, double d, const std::vector<RayImage>& rays = {},
+           bool all_sides = false) {
   LoopOptions options;
   options.max_edge_length = d;
-  options.all_sides = true;
+  options.all_sides = all_sides;
   const Loops loops = shortest_loops(cloud, options, rays);
   std::vector<std::pair<Loop, bool>> all;
   for (const Loop& loop : loops.found) all.emplace_back(loop, false);
@@ -66,7 +67,7 @@ TEST(Thickness, OfARingIsThatOfItsTube) {
 }
 
 TEST(Thickness, OfAStripIsItsWidth) {
-  const Found found = look(hoop(0.3, 0.05, 0.004, 0.008), 0.02);
+  const Found found = look(hoop(0.3, 0.05, 0.004, 0.008), 0.02, {}, true);
   ASSERT_EQ(found.thickness.size(), 1u);
   EXPECT_NEAR(found.thickness[0], 0.05, 0.25 * 0.05);
 }
