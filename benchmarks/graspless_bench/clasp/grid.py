@@ -133,13 +133,14 @@ def robot_with_hand(name: str) -> tuple[Robot, clasp.Hand]:
 @functools.cache
 def sample(name: str) -> clasp.Object:
     """Returns a sample object, or one of shapes.py, given by its cloud."""
+    options = geometry.LoopOptions(all_sides=True)
     if name not in SMALL:
         cloud = geometry.sample_surface(clasp.sample_object(name), POINTS)
-        return clasp.Object.from_cloud(name, cloud)
+        return clasp.Object.from_cloud(name, cloud, options)
     shape = next(shape for shape in with_holes() if shape.name == name)
     cloud = geometry.sample_surface(shape.parts, POINTS)
     middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
-    return clasp.Object.from_cloud(name, cloud - [*middle[:2], cloud[:, 2].min()])
+    return clasp.Object.from_cloud(name, cloud - [*middle[:2], cloud[:, 2].min()], options)
 
 
 def placed(place: tuple[float, float, float, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
