@@ -3,9 +3,6 @@
 #include "graspless/collision/obstacle.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <list>
-#include <mutex>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +10,7 @@
 #include "graspless/geometry/pose.hpp"
 
 #include "collision/prepared.hpp"
+#include "collision/recent.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -49,47 +47,19 @@ struct Same {
   }
 };
 
-/// The solids of padded meshes that were asked for last: each triangle has a hull, which takes
-/// 0.2 ms and 4 kB, and planners and checks make worlds again and again.
-class PaddedSolids {
- public:
-  std::optional<Solid> find(const Obstacle& obstacle) {
-    const std::lock_guard lock(mutex_);
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-      return entry.obstacle.padding == obstacle.padding &&
-             std::equal(entry.obstacle.shapes.begin(), entry.obstacle.shapes.end(),
-                        obstacle.shapes.begin(), obstacle.shapes.end(), are_same);
-    });
-    if (found == entries_.end()) return std::nullopt;
-    entries_.splice(entries_.begin(), entries_, found);
-    return found->solid;
-  }
+bool are_same(const geometry::PlacedShape& a, const geometry::PlacedShape& b) {
+  return a.shape.index() == b.shape.index() && a.X_BG.matrix() == b.X_BG.matrix() &&
+         std::visit(Same{b.shape}, a.shape);
+}
 
-  void add(const Obstacle& obstacle, const Solid& solid) {
-    std::list<Entry> added, old;  // made and destroyed while others can ask
-    added.push_back({obstacle, solid, triangles_of(obstacle.shapes)});
-    const std::lock_guard lock(mutex_);
-    count_ += added.front().triangles;
-    entries_.splice(entries_.begin(), added);
-    for (; count_ > kMost && entries_.size() > 1; count_ -= old.front().triangles)
-      old.splice(old.begin(), entries_, std::prev(entries_.end()));
-  }
+bool grow_alike(const Obstacle& a, const Obstacle& b) {
+  return a.padding == b.padding &&
+         std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(), are_same);
+}
 
- private:
-  static constexpr Eigen::Index kMost = 4 * geometry::kMaxPaddedTriangles;
-  struct Entry {
-    Obstacle obstacle;
-    Solid solid;
-    Eigen::Index triangles;
-  };
-  static bool are_same(const geometry::PlacedShape& a, const geometry::PlacedShape& b) {
-    return a.shape.index() == b.shape.index() && a.X_BG.matrix() == b.X_BG.matrix() &&
-           std::visit(Same{b.shape}, a.shape);
-  }
-  std::mutex mutex_;
-  std::list<Entry> entries_;  // the last one first
-  Eigen::Index count_ = 0;
-};
+/// Triangles of all obstacles whose solids are kept: each has a hull, which takes 0.2 ms and 4 kB,
+/// and planners and checks make worlds again and again.
+constexpr Eigen::Index kMostKept = 4 * geometry::kMaxPaddedTriangles;
 
 }  // namespace
 
@@ -110,12 +80,14 @@ void require_padding(const Obstacle& obstacle, const std::string& field) {
 
 Solid Obstacle::solid() const {
   const std::string what = "obstacle '" + name + "'";
-  if (padding == 0 || triangles_of(shapes) == 0) return Solid(grown(), what);
+  const Eigen::Index triangles = triangles_of(shapes);
+  if (padding == 0 || triangles == 0) return Solid(grown(), what);
   // Never destroyed: a thread may still plan when others end.
-  static PaddedSolids& kept = *new PaddedSolids;
-  if (std::optional<Solid> found = kept.find(*this)) return *std::move(found);
+  static auto& kept = *new Recent<Obstacle, Solid>(kMostKept);
+  const auto is_it = [&](const Obstacle& other) { return grow_alike(other, *this); };
+  if (std::optional<Solid> found = kept.find(is_it)) return *std::move(found);
   Solid made(grown(), what);
-  kept.add(*this, made);
+  kept.add(*this, made, triangles);
   return made;
 }
 

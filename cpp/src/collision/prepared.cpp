@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
-#include <list>
-#include <mutex>
 #include <optional>
 #include <utility>
+
+#include "collision/recent.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -42,41 +41,11 @@ Eigen::Index size_of(const geometry::Mesh& mesh) {
   return std::max(mesh.triangles.cols(), mesh.vertices.cols());
 }
 
-/// The meshes that were asked for last, as long as they have at most `most` triangles together.
-class Kept {
- public:
-  explicit Kept(Eigen::Index most) : most_(most) {}
-
-  std::optional<CollisionShape> find(const geometry::Mesh& mesh, std::uint64_t hash) {
-    const std::lock_guard lock(mutex_);
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-      return entry.hash == hash && is_same(entry.mesh, mesh);
-    });
-    if (found == entries_.end()) return std::nullopt;
-    entries_.splice(entries_.begin(), entries_, found);
-    return found->shape;
-  }
-
-  void add(const geometry::Mesh& mesh, std::uint64_t hash, const CollisionShape& shape) {
-    if (size_of(mesh) > most_) return;
-    std::list<Entry> added, old;  // made and destroyed while others can ask
-    added.push_back({hash, mesh, shape});
-    const std::lock_guard lock(mutex_);
-    entries_.splice(entries_.begin(), added);
-    for (count_ += size_of(mesh); count_ > most_; count_ -= size_of(old.front().mesh))
-      old.splice(old.begin(), entries_, std::prev(entries_.end()));
-  }
-
- private:
-  struct Entry {
-    std::uint64_t hash;
-    geometry::Mesh mesh;
-    CollisionShape shape;
-  };
-  std::mutex mutex_;
-  std::list<Entry> entries_;  // the last one first
-  Eigen::Index most_, count_ = 0;
+struct HashedMesh {
+  std::uint64_t hash;
+  geometry::Mesh mesh;
 };
+using Kept = Recent<HashedMesh, CollisionShape>;
 
 /// Where a mesh of this size is kept. Large ones, such as the scan of a room, do not displace those
 /// of a robot.
@@ -97,9 +66,12 @@ CollisionShape prepared(const geometry::Mesh& mesh,
                         const std::function<CollisionShape(const geometry::Mesh&)>& make) {
   Kept& kept = kept_of(size_of(mesh));
   const std::uint64_t hash = hash_of(mesh);
-  if (std::optional<CollisionShape> found = kept.find(mesh, hash)) return *std::move(found);
+  const auto is_it = [&](const HashedMesh& key) {
+    return key.hash == hash && is_same(key.mesh, mesh);
+  };
+  if (std::optional<CollisionShape> found = kept.find(is_it)) return *std::move(found);
   CollisionShape shape = make(mesh);
-  kept.add(mesh, hash, shape);
+  kept.add({hash, mesh}, shape, size_of(mesh));
   return shape;
 }
 

@@ -12,10 +12,15 @@ namespace graspless::planning {
 /// True if the name of a body, or a text with one, is that of an obstacle with a padding.
 inline bool is_padded(const std::string& text) { return text.find("(padding ") != text.npos; }
 
-/// Two bodies in contact, and a remedy if one has a padding.
+constexpr const char* kLessPadding = "; a smaller padding may help";
+
+/// A remedy for the contact of two bodies, if one has a padding.
+inline std::string remedy(const std::string& a, const std::string& b) {
+  return is_padded(a) || is_padded(b) ? kLessPadding : "";
+}
+
 inline std::string contact(const std::string& a, const std::string& b) {
-  const bool has_padding = is_padded(a) || is_padded(b);
-  return "'" + a + "' touches '" + b + "'" + (has_padding ? "; a smaller padding may help" : "");
+  return "'" + a + "' touches '" + b + "'" + remedy(a, b);
 }
 
 /// The most frequent obstruction by an obstacle with a padding.
@@ -37,7 +42,7 @@ inline std::string obstruction(const std::map<std::string, std::int64_t>& refusa
   if (most != refusals.end()) text += "; most frequent obstruction: " + most->first;
   if (const auto padded = most_padded(refusals); padded != refusals.end()) {
     if (padded != most) text += ", and " + padded->first;
-    text += "; a smaller padding may help";
+    text += kLessPadding;
   }
   if (is_unfinished) text += "; the budget ran out before everything was tried";
   return text;

@@ -152,7 +152,7 @@ bool is_home_free(Query& query, Plan& plan) {
         "at q_home, '" + a + "' touches '" + b + "', " +
         depth(world, {world.body(a), world.body(b)}) +
         (is_link ? "; choose another q_home (robot.home of a task)" : "; move one of them") +
-        (planning::is_padded(a) || planning::is_padded(b) ? "; a smaller padding may help" : "");
+        planning::remedy(a, b);
     return false;
   }
   if (query.is_motion_free(home, open)) return true;

@@ -103,12 +103,12 @@ def _run(options: argparse.Namespace) -> int:
     if options.png is not None:
         view.check_png(options.png)
         files.check_writable(options.png)
-    cloud, rays = _read(options)  # raises if the file cannot be read
+    cloud, rays, is_closed = _read(options)
     asked = geometry.LoopOptions()
     if options.max_edge_length is not None:
         asked.max_edge_length = options.max_edge_length
     asked.polish = options.polish
-    asked.all_sides = options.all_sides or _is_closed(options)
+    asked.all_sides = options.all_sides or is_closed
     asked.threads = require_integer("--threads", options.threads, least=1, most=MOST_THREADS)
     try:
         found = geometry.shortest_loops(cloud, asked, rays)
@@ -125,17 +125,10 @@ def _run(options: argparse.Namespace) -> int:
     return FOUND if found.found else NOT_FOUND
 
 
-def _is_closed(options: argparse.Namespace) -> bool:
-    """Returns True of a closed mesh without viewpoints."""
-    from .. import geometry
-    from ..tasks.clasp.cloud import is_closed
-
-    is_mesh = Path(options.file).suffix.lower() in MESHES
-    return is_mesh and not options.viewpoints and is_closed(geometry.read_mesh(options.file))
-
-
-def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]:
-    """Returns the points, and the rays of the cameras that saw them: none but for scenes."""
+def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage], bool]:
+    """Returns the points, the rays of the cameras that saw them: none but for scenes, and True if
+    the points are those of a closed mesh.
+    """
     is_scene = Path(options.file).suffix.lower() in SCENES
     if is_scene != (options.object is not None):
         raise TaskError(
@@ -149,8 +142,8 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
     if options.points is not None and Path(options.file).suffix.lower() not in MESHES:
         raise TaskError(f"--points: {count}: only for meshes ({', '.join(MESHES)})")
     if not is_scene:
-        points = read_points(options.file, options.unit, count, options.seed)
-        return points, _rays(points, options)
+        points, is_closed = read_points(options.file, options.unit, count, options.seed)
+        return points, _rays(points, options), is_closed
     if options.unit != "m":
         raise TaskError(f"--unit: {options.unit}: not for scene files, which are in metres")
     if options.viewpoints:
@@ -161,7 +154,7 @@ def _read(options: argparse.Namespace) -> tuple[Matrix, list[geometry.RayImage]]
 
     scene = load_scene(options.file)
     thing = named(scene.objects, options.object, Source("--object", {}), ())
-    return thing.points, list(thing.rays)
+    return thing.points, list(thing.rays), False
 
 
 def _rays(points: Matrix, options: argparse.Namespace) -> list[geometry.RayImage]:
@@ -182,8 +175,9 @@ def _rays(points: Matrix, options: argparse.Namespace) -> list[geometry.RayImage
         raise TaskError(f"--viewpoints: {error}") from None
 
 
-def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
-    """Returns the points of a cloud, or samples points on the surface of a mesh.
+def read_points(path: str, unit: str, count: int, seed: int) -> tuple[Matrix, bool]:
+    """Returns the points of a cloud, or samples points on the surface of a mesh; and True if the
+    mesh is closed.
 
     Parameters
     ----------
@@ -198,8 +192,10 @@ def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
     -------
     array [N, 3]
         [m].
+    bool
     """
     from .. import geometry
+    from ..tasks.clasp.cloud import is_closed
     from ..tasks.clouds import SUFFIXES, read_cloud
 
     scale = 0.001 if unit == "mm" else 1.0
@@ -209,9 +205,9 @@ def read_points(path: str, unit: str, count: int, seed: int) -> Matrix:
         raise TaskError(f"{path}: unknown kind of file (one of: {kinds})")
     try:
         if suffix in SUFFIXES:
-            return scale * read_cloud(path)
-        mesh = geometry.PlacedShape(geometry.read_mesh(path, scale))
-        points: Matrix = geometry.sample_surface([mesh], count, seed)
+            return scale * read_cloud(path), False
+        mesh = geometry.read_mesh(path, scale)
+        points: Matrix = geometry.sample_surface([geometry.PlacedShape(mesh)], count, seed)
     except ValueError as error:
         raise TaskError(f"{path}: {str(error).removeprefix(f'{path}: ')}") from None
-    return points
+    return points, is_closed(mesh)

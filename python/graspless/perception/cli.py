@@ -122,6 +122,9 @@ def _perception_options(text: str | None) -> Options:
     Raises TaskError that names the field unless all are known and within their ranges.
     """
     from ..perception import Options
+
+    if text is None:
+        return Options()
     from ..tasks.options import described_by
     from ..tasks.reading import parse_yaml
     from ..tasks.shapes import Fields
@@ -130,8 +133,6 @@ def _perception_options(text: str | None) -> Options:
     class Given(Fields):
         """Options of perception."""
 
-    if text is None:
-        return Options()
     if not text.lstrip().startswith("{") and ":" not in text:
         known = ", ".join(Given.model_fields)
         what = f"should be fields in YAML, such as '{{max_height: 0.4}}' (one of: {known})"

@@ -22,7 +22,7 @@ from ..tasks.documents import rows_of
 from ..tasks.rays import rays_fields
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot, build_robot
-from ..tasks.shapes import Fields
+from ..tasks.shapes import MOST_PADDING, Fields
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
 from .result import FILE
@@ -145,8 +145,8 @@ def wish_of(
     """Returns what is asked for. Raises TaskError if there is no such object. `file` is named."""
     if not 0 < lift < 10:
         raise TaskError(f"lift: {lift!r}: should be a height in (0, 10) m")
-    if not 0 <= padding <= 0.5:
-        raise TaskError(f"padding: {padding!r}: should be a distance in [0, 0.5] m")
+    if not 0 <= padding <= MOST_PADDING:
+        raise TaskError(f"padding: {padding!r}: should be a distance in [0, {MOST_PADDING}] m")
     if mass is not None and not 0 < mass < 1e6:
         raise TaskError(f"mass: {mass!r}: should be a mass in (0, 1e6) kg")
     if grip_force is not None and not 0 < grip_force <= 1000:

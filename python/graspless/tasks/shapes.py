@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 Positive = Annotated[float, Field(gt=0)]
-Padding = Annotated[float, Field(ge=0, le=0.5)]
+MOST_PADDING = 0.5  # [m]
+Padding = Annotated[float, Field(ge=0, le=MOST_PADDING)]
 NotNegative = Annotated[float, Field(ge=0)]
 Point2 = Annotated[list[float], Field(min_length=2, max_length=2)]
 Point3 = Annotated[list[float], Field(min_length=3, max_length=3)]

@@ -10,6 +10,7 @@
 #include "graspless/collision/world.hpp"
 
 #include "../complaint.hpp"
+#include "geometry/box_mesh.hpp"
 #include "geometry/directions.hpp"
 
 namespace graspless::collision {
@@ -21,27 +22,16 @@ using geometry::PlacedShape;
 const Isometry3d kAside =
     Eigen::Translation3d(0.4, -0.2, 0.1) * Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized());
 
-geometry::Mesh tent() {
-  geometry::Mesh mesh;
-  mesh.vertices.resize(3, 4);
-  mesh.vertices << 0, 0.3, 0, 0,  //
-      0, 0, 0.2, 0,               //
-      0, 0, 0, 0.15;
-  mesh.triangles.resize(3, 4);
-  mesh.triangles << 0, 0, 0, 1,  //
-      2, 1, 3, 2,                //
-      1, 3, 2, 3;
-  return mesh;
-}
+geometry::Mesh block() { return geometry::box_mesh({0.3, 0.2, 0.15}); }
 
 std::vector<PlacedShape> shapes() {
   geometry::Convex wedge;
-  wedge.vertices = tent().vertices;
+  wedge.vertices = block().vertices;
   return {{geometry::Box{{0.1, 0.2, 0.3}}, kAside},
           {geometry::Sphere{0.07}, kAside},
           {geometry::Capsule{0.03, 0.2}, kAside},
           {wedge, kAside},
-          {tent(), kAside}};
+          {block(), kAside}};
 }
 
 double extent(const std::vector<PlacedShape>& parts, const Vector3d& direction) {
@@ -112,7 +102,7 @@ TEST(Obstacle, TellsItsPadding) {
 }
 
 TEST(Obstacle, KeepsTheSolidsOfPaddedMeshes) {
-  const Obstacle thing{"thing", {{tent(), kAside}, {geometry::Sphere{0.1}, kAside}}, kAside, 0.01};
+  const Obstacle thing{"thing", {{block(), kAside}, {geometry::Sphere{0.1}, kAside}}, kAside, 0.01};
   const auto* first = &thing.solid().data();
   Obstacle other = thing;
   other.name = "other";
@@ -138,7 +128,7 @@ TEST(Obstacle, RefusesTheLabelOfAnother) {
 }
 
 TEST(Obstacle, RefusesABadPadding) {
-  Obstacle thing{"thing", {{tent(), kAside}}, Isometry3d::Identity()};
+  Obstacle thing{"thing", {{block(), kAside}}, Isometry3d::Identity()};
   for (const double padding : {-0.001, 0.6, std::nan("")}) {
     thing.padding = padding;
     EXPECT_NE(complaint([&] {
@@ -146,8 +136,8 @@ TEST(Obstacle, RefusesABadPadding) {
               }).find("obstacles[0].padding must be in [0, 0.5] m"),
               std::string::npos);
   }
-  geometry::Mesh fine = tent();
-  fine.triangles = tent().triangles.replicate(1, 1251);
+  geometry::Mesh fine = block();
+  fine.triangles = block().triangles.replicate(1, 417);
   thing.shapes = {{fine, kAside}};
   thing.padding = 0;
   require_obstacles({thing});

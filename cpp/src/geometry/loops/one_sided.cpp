@@ -27,7 +27,7 @@ constexpr std::size_t kTried = 3;  // the best of them
 /// of 0.5 and 1 mm, nine tenths of the views of 29 scans have more after they are thinned, and
 /// clouds of all sides at most 0.77.
 constexpr double kNearlyAll = 0.82;
-constexpr double kSmooth = 0.15;  // roughness with which visible points are told
+constexpr double kSmooth = 0.15;  // roughness up to which hidden points are told
 constexpr Eigen::Index kNeighbours = 13;
 /// Part of the roughness that is left among twice as many neighbours, at most, if noise makes it.
 /// Thin rods and rings are rougher there.

@@ -30,7 +30,9 @@ DEFAULT = 2000  # points, as in the paper
 
 def resolve_object(thing: model.Object, source: Source, directory: Path) -> model.Object:
     """Returns the object with its points inline, and with the rays of its viewpoints."""
-    points = object_points(thing, source, directory)
+    with at(source, "object", source_field(thing)):
+        shapes = _shapes(thing, source, directory)
+    points = object_points(thing, shapes, source, directory)
     update: dict[str, Any] = {
         "points": rows_of(points),
         "cloud": None,
@@ -41,7 +43,7 @@ def resolve_object(thing: model.Object, source: Source, directory: Path) -> mode
         "views": [],
         "noise": 0.0,
     }
-    if thing.loops.all_sides is None and not thing.views and _is_closed(thing, directory):
+    if thing.loops.all_sides is None and not thing.views and _are_closed(shapes):
         update["loops"] = thing.loops.model_copy(update={"all_sides": True})
     if thing.views:
         with at(source, "object", "views"):
@@ -50,11 +52,13 @@ def resolve_object(thing: model.Object, source: Source, directory: Path) -> mode
     return thing.model_copy(update=update)
 
 
-def object_points(thing: model.Object, source: Source, directory: Path) -> Matrix:
-    """[N, 3] points on the object, in O [m]."""
+def object_points(
+    thing: model.Object, shapes: list[geometry.PlacedShape], source: Source, directory: Path
+) -> Matrix:
+    """[N, 3] points on the object, in O [m]; `shapes` are those on which they are sampled."""
     field = source_field(thing)
     with at(source, "object", field):
-        points = thing.scale * _points(thing, source, directory)
+        points = thing.scale * _points(thing, shapes, directory)
     if len(points) > MOST:
         raise source.error(("object", field), f"has {len(points)} points; at most {MOST} can be")
     size = np.ptp(points, axis=0) if len(points) else np.zeros(3)
@@ -78,30 +82,34 @@ def source_field(thing: model.Object) -> str:
     return next(name for name in names if getattr(thing, name) is not None)
 
 
-def _points(thing: model.Object, source: Source, directory: Path) -> Matrix:
-    unit = 0.001 if thing.unit == "mm" else 1.0
+def _points(thing: model.Object, shapes: list[geometry.PlacedShape], directory: Path) -> Matrix:
     if isinstance(thing.points, list):
         return np.array(thing.points, dtype=float).reshape(-1, 3)
     if thing.cloud is not None:
-        return unit * read_cloud(directory / thing.cloud)
-    count = thing.points or DEFAULT
+        return _unit(thing) * read_cloud(directory / thing.cloud)
+    return np.asarray(geometry.sample_surface(shapes, thing.points or DEFAULT, thing.seed))
+
+
+def _shapes(thing: model.Object, source: Source, directory: Path) -> list[geometry.PlacedShape]:
+    """Returns the shapes on which the points are sampled; none if they are given."""
     if thing.mesh is not None:
         path = directory / thing.mesh.file
         if not path.is_file():
             raise source.error(("object", "mesh", "file"), absence(path))
         require_fetched([path])
-        mesh = geometry.read_mesh(str(path), unit * thing.mesh.factors)
-        shapes = [geometry.PlacedShape(mesh, np.eye(4))]
-    else:
-        shapes = clasp.sample_object(thing.sample or "")
-    return np.asarray(geometry.sample_surface(shapes, count, thing.seed))
+        mesh = geometry.read_mesh(str(path), _unit(thing) * thing.mesh.factors)
+        return [geometry.PlacedShape(mesh, np.eye(4))]
+    return [] if thing.sample is None else clasp.sample_object(thing.sample)
 
 
-def _is_closed(thing: model.Object, directory: Path) -> bool:
-    """Returns True of an object that comes with graspless, and of a closed mesh."""
-    if thing.mesh is None:
-        return thing.sample is not None
-    return is_closed(geometry.read_mesh(str(directory / thing.mesh.file)))
+def _unit(thing: model.Object) -> float:
+    return 0.001 if thing.unit == "mm" else 1.0
+
+
+def _are_closed(shapes: list[geometry.PlacedShape]) -> bool:
+    """Returns True of the shapes of an object that comes with graspless, and of a closed mesh."""
+    meshes = [part.shape for part in shapes if isinstance(part.shape, geometry.Mesh)]
+    return bool(shapes) and all(is_closed(mesh) for mesh in meshes)
 
 
 def is_closed(mesh: geometry.Mesh) -> bool:
