@@ -51,6 +51,12 @@ std::string doc_of(const std::string& name) {
   return "";
 }
 
+/// Returns the budget. Throws std::invalid_argument when a field is out of its range.
+StoppableBudget checked(StoppableBudget budget) {
+  planning::Clock{{budget.seconds, budget.iterations.value_or(0), budget.seed}};
+  return budget;
+}
+
 using Steady = std::chrono::steady_clock;
 
 thread_local std::optional<Steady::time_point> deadline;   // of work outside planners
@@ -116,12 +122,7 @@ void bind_planning(py::module_ m) {
   py::class_<StoppableBudget>(m, "Budget",
                               "Limits of a query in time and iterations, and its random seed.")
       .def(py::init([](double seconds, std::optional<std::int64_t> iterations, std::uint64_t seed) {
-             StoppableBudget budget{seconds, iterations, seed};
-             planning::Budget checked;
-             checked.seconds = seconds;
-             checked.iterations = iterations.value_or(0);
-             planning::Clock{checked};
-             return budget;
+             return checked({seconds, iterations, seed});
            }),
            py::kw_only(), py::arg("seconds") = 10.0, py::arg("iterations") = py::none(),
            py::arg("seed") = 1,
@@ -136,18 +137,14 @@ void bind_planning(py::module_ m) {
                   "Returns name, unit, range, text and source of every field.")
       .def(
           "part",
-          [](const StoppableBudget& self, double seconds, std::uint64_t seed) {
-            StoppableBudget part = self;  // stop() of either stops both
-            part.seconds = seconds;
-            part.seed = seed;
-            planning::Budget checked;
-            checked.seconds = seconds;
-            planning::Clock{checked};
-            return part;
+          [](const StoppableBudget& self, double seconds, std::uint64_t seed,
+             std::optional<std::int64_t> iterations) {
+            return checked({seconds, iterations ? iterations : self.iterations, seed,
+                            self.stopped});  // stop() of either stops both
           },
-          py::kw_only(), py::arg("seconds"), py::arg("seed"),
-          "Returns a budget for one part of a longer query, with its own seconds and "
-          "seed.\n\nstop() of either stops both.")
+          py::kw_only(), py::arg("seconds"), py::arg("seed"), py::arg("iterations") = py::none(),
+          "Returns a budget for one part of a longer query, with its own seconds and seed.\n\n"
+          "iterations: None for those of this budget. stop() of either stops both.")
       .def(
           "stop", [](StoppableBudget& self) { *self.stopped = true; },
           "Stops the search that uses this budget, from any thread. The search returns within "

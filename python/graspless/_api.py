@@ -18,12 +18,6 @@ from .proving import proof
 
 MOST_SEEDS = 20  # of a search for a plan that is certified
 SEEDS = 2**64  # number of seeds
-# Statuses of searches without a result, and what their reasons may already say of the time.
-SEARCHED = (
-    "no_goal_root", "no_place", "no_start_root", "not_connected", "not_found", "not_reached",
-    "not_realized", "not_secure",
-)  # fmt: skip
-OF_TIME = ("budget ran out", "out of time", "time limit", "time was over")
 NO_JOINTS = (
     "not certified: bare fingertips have no joint paths, so nothing between the rows is proven; "
     "give the task a robot"
@@ -212,11 +206,7 @@ def plan_since(
     kind = plan_type(task.kind)
     began += time.monotonic() - before  # imports do not count
     given = task.budget if budget is None else budget
-    plan: Any = kind._search(task, limits.rest(given, began))
-    is_over = time.monotonic() - began >= given.seconds
-    if is_over and str(plan.status) in SEARCHED and not any(w in plan.reason for w in OF_TIME):
-        plan.reason += f"; the time limit of {given.seconds:g} s ended the search"
-    return plan
+    return kind._search(task, limits.rest(given, began))
 
 
 def plan_certified(
@@ -227,8 +217,7 @@ def plan_certified(
     best: Any = None
     fewest = math.inf  # doubts about the best plan
     for k in range(MOST_SEEDS):
-        is_over = given.is_stopped or time.monotonic() - began >= given.seconds
-        if best is not None and is_over:
+        if best is not None and limits.is_over(given, began):
             break
         seed = (task.seed + k) % SEEDS
         part = given.part(seconds=given.seconds, seed=seed)

@@ -166,6 +166,11 @@ def without_collector() -> Iterator[None]:
             gc.enable()
 
 
+def is_over(budget: planning.Budget, began: float) -> bool:
+    """True if the budget was stopped, or its seconds have passed since `began`."""
+    return budget.is_stopped or time.monotonic() - began >= budget.seconds
+
+
 def rest(budget: planning.Budget, began: float) -> planning.Budget:
     """Returns the budget with the seconds that are left of it since `began`, by time.monotonic."""
     left = max(1e-9, budget.seconds - (time.monotonic() - began))

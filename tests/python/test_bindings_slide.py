@@ -189,6 +189,15 @@ def test_other_threads_run_meanwhile(card_problem):
     assert len(ticks) > 10
 
 
+def test_a_search_that_the_time_ended_says_so(card_problem):
+    late = slide.plan(card_problem, ENDLESS, Budget(seconds=0.1))
+    assert "; the time limit ended the search; most frequent rejections: " in late.reason
+    whole = slide.plan(card_problem, ENDLESS, Budget(seconds=60, iterations=20))
+    assert not late
+    assert not whole
+    assert "time" not in whole.reason
+
+
 def test_stop_from_another_thread(card_problem):
     budget = Budget(seconds=30)
     timer = threading.Timer(0.2, budget.stop)

@@ -182,6 +182,14 @@ def test_a_hand_in_the_object_is_not_tested(plan):
     assert (blocked.escapes, blocked.checks, blocked.withstands) == (0, 0, 0)
 
 
+def test_a_search_that_the_time_ended_says_so():
+    late = clasp.plan(problem(), ENDLESS, Budget(seconds=0.2))
+    assert "; the time limit ended the search; most often: " in late.reason
+    whole = clasp.plan(problem(), ENDLESS, Budget(seconds=60, iterations=3))
+    assert (late.status, whole.status) == (clasp.Status.not_found, clasp.Status.not_found)
+    assert "time" not in whole.reason
+
+
 def test_other_threads_run_meanwhile():
     budget = Budget(seconds=60)
     threading.Timer(0.3, budget.stop).start()

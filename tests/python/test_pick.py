@@ -3,7 +3,9 @@
 """Picks: the strategy that works, reasons for the others, bad input, and the command."""
 
 import dataclasses
+import itertools
 import json
+import math
 import pathlib
 import time
 import warnings
@@ -17,10 +19,11 @@ import inspect_common as small
 from graspless import check, frames, geometry, perception, picking, robot
 from graspless.cli import main
 from graspless.errors import TaskError
-from graspless.picking import trying
+from graspless.picking import strategies, trying
 from graspless.picking.measured import doubt, top_share, unseen_share
 from graspless.picking.strategies import chain_of, ways_of
 from graspless.picking.wish import simplified, wish_of
+from graspless.proving.proof import digest_of
 from graspless.tasks.scenes import outline_of
 from pick_common import body, seen
 
@@ -570,6 +573,62 @@ def test_a_time_limit_that_is_too_short_is_told(scene, names, monkeypatch, looks
     assert {attempt.reason for attempt in untried[1:]} == {"no time was left"}
 
 
+def test_a_pick_is_stopped_from_outside(scene, names, monkeypatch):
+    """A plan that was found before counts."""
+    search = strategies.plan_since
+
+    def picked(stop_in, **changes):
+        budget = graspless.planning.Budget(seconds=60, seed=2)
+        searches = itertools.count()
+
+        def stopping(*given):  # what another thread does in the middle of a search
+            if next(searches) == stop_in:
+                budget.stop()
+            return search(*given)
+
+        monkeypatch.setattr(strategies, "plan_since", stopping)
+        return graspless.pick(scene, names["bar"], "wam_t42", budget=budget, **changes)
+
+    found = picked(0)
+    assert not found
+    assert [attempt.status for attempt in found.attempts] == ["interrupted", *5 * ["not_tried"]]
+    assert found.reason.startswith("pinch: it was stopped before it ended; rim: the pick was")
+    whole = picked(-1)
+    best = picked(1, best_of=9)
+    assert [attempt.status for attempt in best.attempts[:2]] == ["solved", "interrupted"]
+    assert digest_of(best.plan) == digest_of(whole.plan)
+    alone = graspless.pick(scene, names["bar"], "wam_t42", seconds=60, seed=2)
+    assert digest_of(alone.plan) == digest_of(whole.plan)
+
+
+def test_a_pick_that_was_stopped_before_it_began_tries_nothing(scene, names):
+    budget = graspless.planning.Budget()
+    budget.stop()
+    found = graspless.pick(scene, names["bar"], "wam_t42", budget=budget)
+    assert {attempt.status for attempt in found.attempts} == {"not_tried"}
+    assert {attempt.reason for attempt in found.attempts} == {"the pick was stopped before"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"budget": {}, "seed": 1}, "budget: seconds and seed must not be given beside it"),
+        ({"budget": {"iterations": 5}}, "budget.iterations: not for a pick, which is several"),
+        ({"budget": {"seconds": math.inf}}, "budget: seconds is inf; should be finite"),
+        ({"seconds": math.inf}, "budget: seconds is inf; should be finite"),
+        ({"seconds": 0}, "seconds: 0: should be above 0"),
+        ({"seed": -1}, "seed: -1: should not be negative"),
+    ],
+)
+def test_budgets_that_are_refused(scene, names, changes, words):
+    if "budget" in changes:
+        changes = changes | {"budget": graspless.planning.Budget(**changes["budget"])}
+    with pytest.raises(TaskError, match=words):
+        graspless.pick(scene, names["bar"], "wam_t42", **changes)
+    with pytest.raises(TaskError, match=r"budget: 5: should be a graspless.planning.Budget"):
+        graspless.pick(scene, names["bar"], "wam_t42", budget=5)
+
+
 ROBOT = ("--robot", "wam_t42")
 
 
@@ -659,10 +718,10 @@ def test_a_search_that_ran_out_of_its_share_goes_on_with_another_seed(scene, nam
     """Others are not asked again, and nothing is tried after a plan."""
     asked = []
 
-    def attempt_plan(attempt, wish, target, opening, seed, seconds):
-        asked.append((attempt.strategy, seed))
+    def attempt_plan(attempt, wish, target, opening, budget):
+        asked.append((attempt.strategy, budget.seed))
         attempt.status = "not_connected"
-        attempt.seconds += seconds if attempt.strategy == "slide" else 0.0
+        attempt.seconds += budget.seconds if attempt.strategy == "slide" else 0.0
         return plan if len(asked) == 6 else None
 
     plan = graspless.pick(scene, names["card"], "wam_t42", strategies=["slide"]).plan

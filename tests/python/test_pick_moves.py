@@ -153,13 +153,14 @@ def test_a_tilted_support_is_refused_with_its_angle(between_walls):
 
 def test_the_fingertips_of_a_hand_are_found_by_their_shapes(between_walls):
     scene, name = between_walls
-    moving = moving_of("tumble", wished(scene, name), None)
+    budget = graspless.planning.Budget()
+    moving = moving_of("tumble", wished(scene, name), None, budget)
     assert isinstance(moving, Moving), moving
     assert moving.opening == pytest.approx(0.054)
     assert moving.tips.frames == ["left_tip_center", "right_tip_center"]
     assert moving.tips.radius == pytest.approx(0.013)
     assert moving.tips.apart == pytest.approx(0.08, abs=1e-3)
-    refused = moving_of("tumble", wished(scene, name, robot="wam_t42"), None)
+    refused = moving_of("tumble", wished(scene, name, robot="wam_t42"), None, budget)
     assert "no frame at the centre of the round end of 'left_finger'" in refused
 
 

@@ -115,10 +115,11 @@ std::string reason(const Query& query, const Plan& plan) {
       out << "interrupted after " << cycles;
       break;
     case Status::not_secure:
-      out << insecure(query) << widths_of_ring(query);
+      out << insecure(query) << query.clock.note() << widths_of_ring(query);
       break;
     default:
-      out << "no motion to a clasp found in " << cycles << most_frequent(plan.statistics.refusals);
+      out << "no motion to a clasp found in " << cycles << query.clock.note()
+          << most_frequent(plan.statistics.refusals);
   }
   return out.str();
 }

@@ -75,6 +75,11 @@ std::string Clock::reason() const {
   return "the search needs more memory than options.max_memory = " + limit;
 }
 
+std::string Clock::note() const {
+  const bool is_late = out_since_ && !interrupted_ && !out_of_memory_;
+  return is_late ? "; the time limit ended the search" : "";
+}
+
 double Clock::seconds() const {
   return std::chrono::duration<double>(Steady::now() - start_).count();
 }

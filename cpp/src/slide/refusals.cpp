@@ -238,6 +238,7 @@ std::string reason(Query& query, const Plan& plan) {
   // Without the time: the same seed and iterations give the same file.
   const std::string refused = " within " + std::to_string(plan.statistics.iterations) +
                               (plan.statistics.iterations == 1 ? " iteration" : " iterations") +
+                              query.clock.note() +
                               (plan.statistics.refusals.empty()
                                    ? ""
                                    : "; most frequent rejections: " + most_frequent(query, pairs));

@@ -61,11 +61,11 @@ class Budget:
         """
     def __repr__(self) -> str:
         ...
-    def part(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex, seed: typing.SupportsInt | typing.SupportsIndex) -> Budget:
+    def part(self, *, seconds: typing.SupportsFloat | typing.SupportsIndex, seed: typing.SupportsInt | typing.SupportsIndex, iterations: typing.SupportsInt | typing.SupportsIndex | None = None) -> Budget:
         """
         Returns a budget for one part of a longer query, with its own seconds and seed.
         
-        stop() of either stops both.
+        iterations: None for those of this budget. stop() of either stops both.
         """
     def stop(self) -> None:
         """

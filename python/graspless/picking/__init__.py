@@ -11,8 +11,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .. import planning
-from .._arguments import require_above_zero, require_integer, require_number
+from .. import limits, planning
+from .._arguments import (
+    require_above_zero,
+    require_finite,
+    require_integer,
+    require_number,
+    require_type,
+)
 from ..errors import TaskError, warn
 from ..report import least_seconds
 from ..tasks.documents import in_plain_types
@@ -21,7 +27,7 @@ from ..tasks.source import Source
 from . import place as places
 from .hidden import warnings_of
 from .moving import MOVING
-from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
+from .result import FILE, INTERRUPTED, NOT_TRIED, REFUSED, STALE, Attempt, Pick
 from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
@@ -52,8 +58,9 @@ def pick(
     grip_force: float | None = None,
     max_age: float | None = None,
     best_of: int = 1,
-    seconds: float = 10.0,
-    seed: int = 1,
+    seconds: float | None = None,
+    seed: int | None = None,
+    budget: planning.Budget | None = None,
     trust: bool = False,
 ) -> Pick:
     """Plans how a robot picks up an object of a scene.
@@ -100,10 +107,14 @@ def pick(
         Maximum number of plans. After the first plan, the strategies that follow are tried, and
         then all again with other seeds, `best_of` times at most. Returned is the plan of the
         shortest duration at the joints' speed limits. `max_mass` is not compared.
-    seconds : float
-        Limit of the time [s]. What is left is shared evenly among the strategies that are left.
-    seed : int
-        Seed of all random numbers. The same seed gives the same plan unless the time ends a search.
+    seconds : float, optional
+        Limit of the time, 10 by default [s]. What is left is shared evenly among the strategies
+        that are left.
+    seed : int, optional
+        Seed of all random numbers, 1 by default. The same seed gives the same plan unless the time
+        ends a search.
+    budget : planning.Budget, optional
+        Instead of both; another thread may stop() it. The plans found before that count.
     trust : bool
         Let xacro files of the robot read any file and run code, see docs/security.md.
 
@@ -119,29 +130,30 @@ def pick(
         The scene is empty or not valid, it has no such object or support, there is no such robot or
         strategy, the robot has no hand that one of the strategies could use, or a number is out of
         range.
+    OutOfTimeError
+        A TaskError: the time limit was reached while the robot or its meshes were read.
     """
     began = time.monotonic()
+    budget = _budget_of(budget, seconds, seed)
     asked = require_strategies(strategies)
     best_of = require_integer("best_of", best_of, least=1)
-    seed = require_integer("seed", seed, least=0, most=2**64 - 1)
-    require_above_zero("seconds", seconds)
     require_number("lift", lift)
     require_number("padding", padding)
     for field, value in (("mass", mass), ("grip_force", grip_force), ("max_age", max_age)):
         if value is not None:
             require_number(field, value)
-    budget = planning.Budget(seconds=seconds, seed=seed)
-    scene, file = read_scene(scene)
-    robots = labelled(robot)
-    _require_found(list(robots.values()))
-    wishes = {
-        label: wish_of(
-            scene, file, name, one,
-            lift=lift, respect=respect, padding=padding, mass=mass, grip_force=grip_force,
-            trust=trust,
-        )
-        for label, one in robots.items()
-    }  # fmt: skip
+    with limits.reading(budget.seconds):
+        scene, file = read_scene(scene)
+        robots = labelled(robot)
+        _require_found(list(robots.values()))
+        wishes = {
+            label: wish_of(
+                scene, file, name, one,
+                lift=lift, respect=respect, padding=padding, mass=mass, grip_force=grip_force,
+                trust=trust,
+            )
+            for label, one in robots.items()
+        }  # fmt: skip
     tries = [Attempt(strategy, NOT_TRIED, robot=label) for strategy in asked for label in wishes]
     found = Pick(name, tries)
     first = next(iter(wishes.values()))
@@ -158,6 +170,23 @@ def pick(
         _require_usable(found)
     found.seconds = time.monotonic() - began
     return found
+
+
+def _budget_of(
+    budget: planning.Budget | None, seconds: float | None, seed: int | None
+) -> planning.Budget:
+    """Returns the budget, or that of seconds and seed. Raises TaskError if it is not valid."""
+    if budget is None:
+        require_above_zero("seconds", seconds := 10.0 if seconds is None else seconds)
+        seed = require_integer("seed", 1 if seed is None else seed, least=0, most=2**64 - 1)
+        budget = planning.Budget(seconds=seconds, seed=seed)
+    elif (seconds, seed) != (None, None):
+        raise TaskError("budget: seconds and seed must not be given beside it")
+    require_type("budget", budget, planning.Budget)
+    require_finite(budget)
+    if budget.iterations is not None:
+        raise TaskError("budget.iterations: not for a pick, which is several searches")
+    return budget
 
 
 def _search(
@@ -179,36 +208,42 @@ def _search(
         unfinished: list[Attempt] = []
         for i, attempt in enumerate(asked):
             left = budget.seconds - (time.monotonic() - began)
-            if attempt.status == REFUSED or left <= 0 or len(plans) == best_of:
+            is_over = left <= 0 or budget.is_stopped
+            if attempt.status == REFUSED or is_over or len(plans) == best_of:
                 continue
             same = (other for other in found.attempts if other.robot == attempt.robot)
             opening = next((a.opening for a in same if a.opening is not None), None)
             share = left / (_waiting(asked, i) + len(unfinished))
             spent = attempt.seconds
-            seed = (budget.seed + k) % 2**64
-            wish = wishes[attempt.robot]
-            plan = attempt_plan(attempt, wish, target, opening, seed, share)
+            part = budget.part(seconds=share, seed=(budget.seed + k) % 2**64)
+            plan = attempt_plan(attempt, wishes[attempt.robot], target, opening, part)
             if plan is not None:
                 plans.append((plan, attempt.robot))
+            elif budget.is_stopped and (attempt.is_planned or attempt.status != REFUSED):
+                attempt.status, attempt.reason = INTERRUPTED, "it was stopped before it ended"
             elif attempt.seconds - spent >= _RAN_OUT * share:
                 unfinished.append(attempt)
         if k + 1 >= best_of:
             asked = [] if plans else unfinished
-        if not asked or budget.seconds - (time.monotonic() - began) < LEAST_SECONDS:
+        left = budget.seconds - (time.monotonic() - began)
+        if not asked or left < LEAST_SECONDS or budget.is_stopped:
             break
     if plans:
         found.plan, found.robot = min(plans, key=lambda one: duration(one[0]))
     else:
-        _note_time(found.attempts, budget.seconds)
+        _note_end(found.attempts, budget)
 
 
-def _note_time(attempts: Sequence[Attempt], seconds: float) -> None:
-    """Notes that the time was over before strategies that were not tried, the first in full."""
+def _note_end(attempts: Sequence[Attempt], budget: planning.Budget) -> None:
+    """Notes why strategies were not tried, for the first in full."""
     tried = [a.strategy for a in attempts if a.status != NOT_TRIED]
     last = f"after '{tried[-1]}'" if tried else "when robot and scene had been read"
-    reason = f"the time limit of {seconds:g} s was over {last}; give more seconds"
+    reason = f"the time limit of {budget.seconds:g} s was over {last}; give more seconds"
+    others = "no time was left"
+    if budget.is_stopped:
+        reason = others = "the pick was stopped before"
     for attempt in attempts[len(tried) :]:
-        attempt.reason, reason = reason, "no time was left"
+        attempt.reason, reason = reason, others
 
 
 def _waiting(attempts: Sequence[Attempt], i: int) -> int:

@@ -12,17 +12,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import pinch
-from .._api import check, plan_since
+from .. import limits, pinch
+from .._api import check
 from ..tasks import task_from_dict
 from .block import Block, block_of, level, wish_at
 from .fingertips import Fingertips, fingertips_of
 from .hidden import covered, cut_off
 from .moves import MOVES, Move, misplaced
 from .result import FILE
-from .strategies import LEAST_SECONDS, THIN, WAYS, chain_of, explained, refusal
+from .strategies import THIN, WAYS, chain_of, explained, refusal, searched
 
 if TYPE_CHECKING:
+    from .. import planning
     from ..chain import Plan
     from .wish import Wish
 
@@ -63,10 +64,13 @@ class Found:
     words: str
 
 
-def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
+def moving_of(
+    strategy: str, wish: Wish, opening: float | None, budget: planning.Budget
+) -> Moving | str:
     """Returns what can be planned, or why lengths or the robot rule it out, in one sentence.
 
-    `opening` is that of the hand, as far as another strategy knows it [m].
+    `opening` is that of the hand, as far as another strategy knows it [m]. If none does, a pinch is
+    tried, which stop() of `budget` ends.
     """
     if reason := covered(wish) or cut_off(wish):
         return reason
@@ -78,7 +82,7 @@ def moving_of(strategy: str, wish: Wish, opening: float | None) -> Moving | str:
         return block
     pinching = _trial_task("pinch", flat, 1, TRIAL_SECONDS)
     if opening is None:
-        first: Any = plan_since(pinching, time.monotonic()).stages[0]
+        first: Any = searched(pinching, time.monotonic(), budget).stages[0]
         opening = float(first.opening)
     base = np.asarray(wish.model.X_WB)[:2, 3]
     every = [(move, _grasps(move.goal, wish, opening)) for move in MOVES[strategy](block, base)]
@@ -156,28 +160,24 @@ class Moving:
     moves: list[tuple[Move, list[str]]]
     reasons: list[tuple[int, str]] = field(default_factory=list)
 
-    def plans(self, seed: int, seconds: float) -> Iterator[Found]:
+    def plans(self, budget: planning.Budget) -> Iterator[Found]:
         """Yields chains that pass their check.
 
         What became of the others is in `reasons`.
         """
         began = time.monotonic()
-
-        def left() -> float:
-            return max(seconds - (time.monotonic() - began), LEAST_SECONDS)
-
         for move, grasps in self.moves:
             if wrong := misplaced(move, self.wish):
                 self._note(0, f"{move.words}, {wrong}")
                 continue
             there = wish_at(self.wish, move.goal)
             for grasp in grasps:
-                if left() <= LEAST_SECONDS:
+                if limits.is_over(budget, began):
                     self._note(0, "no time was left for the others")
                     return
-                if not self._is_graspable(grasp, there, move, seed, min(left(), TRIAL_SECONDS)):
+                if not self._is_graspable(grasp, there, move, limits.rest(budget, began)):
                     continue
-                found = self._chain(move, grasp, there, seed, left)
+                found = self._chain(move, grasp, there, budget, began)
                 if found is not None:
                     yield found
 
@@ -196,43 +196,50 @@ class Moving:
             return f"{move.words}: {1000 * min(goal.sides):.0f} mm wide there, {hand}"
         return f"{move.words}: {1000 * goal.height:.0f} mm high there, {hand}"
 
-    def _is_graspable(self, grasp: str, there: Wish, move: Move, seed: int, seconds: float) -> bool:
+    def _is_graspable(
+        self, grasp: str, there: Wish, move: Move, budget: planning.Budget
+    ) -> bool:
         """True if the arm can grasp the block where a motion ends: found out before it is planned.
 
         A grasp takes milliseconds, a motion by fingertips many times that.
         """
         why = refusal(grasp, there, self.opening)
         if not why:
-            trial = plan_since(_trial_task(grasp, there, seed, seconds), time.monotonic())
+            seconds = min(budget.seconds, TRIAL_SECONDS)
+            task = _trial_task(grasp, there, budget.seed, seconds)
+            trial = searched(task, time.monotonic(), budget)
             why = "" if trial else explained(trial, there)
         if why:
             self._note(1, f"{move.words}, {why}")
         return not why
 
-    def _chain(self, move: Move, grasp: str, there: Wish, seed: int, left: Any) -> Found | None:
+    def _chain(
+        self, move: Move, grasp: str, there: Wish, budget: planning.Budget, began: float
+    ) -> Found | None:
         """Returns the first chain that passes its check, of several bounds on the fingertips."""
         why, rank = "", 2
         for stability, span in itertools.product(STABILITIES, SPANS):
-            document = self._document(move, grasp, there, seed, left(), span, stability)
+            left = limits.rest(budget, began)
+            document = self._document(move, grasp, there, left, span, stability)
             task = task_from_dict(document, FILE, resolve=True, trust=there.trust)
-            plan: Plan = plan_since(task, time.monotonic())
+            plan: Plan = searched(task, time.monotonic(), budget)
             faults = (_scrubbing(plan) or check(plan)) if plan else []
             if plan and not faults:
                 return Found(plan, document, there, self._success(move, grasp))
             failed = faults[0] if faults else explained(plan, there)
             reached = len(plan.stages) + (3 if faults else 1)
             why, rank = (failed, reached) if reached >= rank else (why, rank)
-            if left() <= LEAST_SECONDS:
+            if limits.is_over(budget, began):
                 break
         self._note(rank, f"{move.words}, {why}")
         return None
 
     def _document(
-        self, move: Move, grasp: str, there: Wish, seed: int, seconds: float, span: float,
+        self, move: Move, grasp: str, there: Wish, budget: planning.Budget, span: float,
         stability: float,
     ) -> dict[str, Any]:  # fmt: skip
         """Returns the chain: fingertips move the block, then it is grasped and lifted."""
-        document = chain_of(grasp, there, seed, seconds, WAYS[grasp][0])
+        document = chain_of(grasp, there, budget.seed, budget.seconds, WAYS[grasp][0])
         tips = self.tips
         moved = {
             "name": self.strategy,

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from ..chain import Plan
 
 NOT_TRIED, REFUSED, FAULTY, STALE = "not_tried", "refused", "faulty", "stale"
-NOT_FOUND = "not_found"
+NOT_FOUND, INTERRUPTED = "not_found", "interrupted"
 FILE = "pick"  # stands for the file of all its tasks, in messages
 
 
@@ -26,8 +26,8 @@ class Attempt:
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
         strategy was found before, or no time was left; faulty: its plan does not pass `check`;
-        stale: the scene is too old; not_found: no tumble or push leads to a grasp; otherwise the
-        status of its plan.
+        stale: the scene is too old; not_found: no tumble or push leads to a grasp; interrupted: the
+        budget was stopped; otherwise the status of its plan.
     reason : str
         One sentence; empty if another strategy was found before. Of those that were solved, a clasp
         has a warning, and a tumble or push says which one it is.

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._api import plan_since
 from ..errors import TaskError, should_be
 from .hidden import covered, cut_off, sliver
 from .measured import top_share, unseen_share
@@ -19,6 +20,7 @@ from .wish import cloud_fields, distance_to, heights_fields, object_fields, supp
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from .. import planning
     from ..frames import Matrix
     from .wish import Wish
 
@@ -164,6 +166,13 @@ def chain_of(
         "stages": [grasp, lift],
         "budget": {"seconds": max(seconds, LEAST_SECONDS), "seed": seed},
     }
+
+
+def searched(task: Any, began: float, budget: planning.Budget) -> Any:
+    """Plans a task within its own limits since `began`; stop() of `budget` ends the search."""
+    own = task.budget
+    part = budget.part(seconds=own.seconds, seed=own.seed, iterations=own.iterations)
+    return plan_since(task, began, part)
 
 
 def refusal(strategy: str, wish: Wish, opening: float | None) -> str:

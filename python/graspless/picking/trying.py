@@ -8,8 +8,8 @@ import dataclasses
 import time
 from typing import TYPE_CHECKING, Any
 
-from .. import chain, planning
-from .._api import check, plan_since
+from .. import chain, limits
+from .._api import check
 from ..errors import OutOfTimeError, TaskError
 from ..tasks import task_from_dict
 from . import loose, over_edge
@@ -17,11 +17,12 @@ from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
 from .result import FAULTY, FILE, NOT_FOUND, REFUSED
-from .strategies import LEAST_SECONDS, chain_of, explained, refusal, ways_of
+from .strategies import LEAST_SECONDS, chain_of, explained, refusal, searched, ways_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from .. import planning
     from ..chain import Plan
     from .place import Target
     from .result import Attempt
@@ -41,8 +42,7 @@ def attempt_plan(
     wish: Wish,
     target: Target | None,
     opening: float | None,
-    seed: int,
-    seconds: float,
+    budget: planning.Budget,
 ) -> Plan | None:
     """Plans a strategy, and notes what became of it.
 
@@ -55,19 +55,18 @@ def attempt_plan(
         Place where the object is put down.
     opening : float or None
         Opening of the hand, if another strategy found it [m].
-    seed : int
-    seconds : float
-        Limit of the time [s].
+    budget : planning.Budget
+        Seconds and seed. Its stop() ends the search.
     """
     began = time.monotonic()
     try:
         if attempt.strategy in MOVING:
-            return _move(attempt, wish, target, opening, seed, seconds)
+            return _move(attempt, wish, target, opening, budget)
         attempt.reason = refusal(attempt.strategy, wish, opening)
         if attempt.reason:
             attempt.status = REFUSED
             return None
-        plan, doubted, faults = _plan(attempt.strategy, wish, target, seed, seconds)
+        plan, doubted, faults = _plan(attempt.strategy, wish, target, budget)
     except OutOfTimeError as error:
         attempt.status, attempt.reason = "out_of_time", _in_one_line(error)
         return None
@@ -105,24 +104,22 @@ def _move(
     wish: Wish,
     target: Target | None,
     opening: float | None,
-    seed: int,
-    seconds: float,
+    budget: planning.Budget,
 ) -> Plan | None:
     """Plans a strategy whose object fingertips move before it is grasped."""
     began = time.monotonic()
-    moving = moving_of(attempt.strategy, wish, opening)
+    moving = moving_of(attempt.strategy, wish, opening, budget)
     if isinstance(moving, str):
         attempt.status, attempt.reason = REFUSED, moving
         return None
     doubted = ""
-    for found in moving.plans(seed, seconds):
+    for found in moving.plans(budget):
         plan = found.plan
         if target is not None:
             is_same = target.support.name == found.wish.support.name
             support = found.wish.support if is_same else target.support
             there = dataclasses.replace(target, wish=found.wish, support=support)
-            left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
-            plan, doubted = _placed(plan, there, found.document, left)
+            plan, doubted = _placed(plan, there, found.document, limits.rest(budget, began))
             faults = [] if doubted else check(plan)
             doubted = doubted or next(iter(faults), "")
         if not doubted:
@@ -134,7 +131,7 @@ def _move(
 
 
 def _plan(
-    strategy: str, wish: Wish, target: Target | None, seed: int, seconds: float
+    strategy: str, wish: Wish, target: Target | None, budget: planning.Budget
 ) -> tuple[Plan, str, list[str]]:
     """Plans a strategy in its ways, until a plan fits the measured heights and passes its check.
 
@@ -150,19 +147,18 @@ def _plan(
             continue
         if way.opening is not None and not has_no_room:
             continue
-        limit = seconds / 2 if way.hangs else seconds
-        document = chain_of(strategy, wish, seed, limit, way, opening)
+        seconds = budget.seconds / 2 if way.hangs else budget.seconds
+        document = chain_of(strategy, wish, budget.seed, seconds, way, opening)
         task = task_from_dict(document, FILE, resolve=True, trust=wish.trust)
         task = task.with_changes(iterations=way.iterations)
         faults: list[str] = []
         tried: list[tuple[Plan, str]] = []
-        for plan in _grasps(strategy, task, seed, seconds, began, wish if target else None):
+        for plan in _grasps(strategy, task, budget, began, wish if target else None):
             doubted = doubt(plan, wish) if plan else ""
             if plan and not doubted and target is not None:
-                left = max(LEAST_SECONDS, seconds - (time.monotonic() - began))
-                plan, doubted = _placed(plan, target, document, left)
+                plan, doubted = _placed(plan, target, document, limits.rest(budget, began))
             tried.append((plan, doubted))
-            if not doubted or time.monotonic() - began >= seconds:
+            if not doubted or limits.is_over(budget, began):
                 break
         if doubted and target is not None:  # what came farthest says most
             plan, doubted = max(tried, key=lambda one: len(one[0].stages))
@@ -181,7 +177,7 @@ def _plan(
             opening = float(first.opening)  # 0 if the time was over at once
         is_too_high = is_too_high or bool(doubted) or str(plan.status) == "too_flat"
         has_no_room = has_no_room or _is_crowded(plan)
-        if time.monotonic() - began >= seconds:
+        if limits.is_over(budget, began):
             break
     assert kept is not None  # there is a first way
     return kept
@@ -197,7 +193,7 @@ def _is_crowded(plan: Plan) -> bool:
 
 
 def _grasps(
-    strategy: str, task: Any, seed: int, seconds: float, began: float, steady: Wish | None
+    strategy: str, task: Any, budget: planning.Budget, began: float, steady: Wish | None
 ) -> Iterator[Plan]:
     """Yields plans of a strategy with several seeds.
 
@@ -205,8 +201,10 @@ def _grasps(
     or as it takes to find one that hangs still. The one that hangs most still comes first. `steady`
     is then the wish.
     """
-    seeds = ((seed + k * APART) % 2**64 for k in range(SEEDS[strategy]))
-    plans: Iterator[Plan] = (plan_since(task.with_changes(seed=one), began) for one in seeds)
+    seeds = ((budget.seed + k * APART) % 2**64 for k in range(SEEDS[strategy]))
+    plans: Iterator[Plan] = (
+        searched(task.with_changes(seed=seed), began, budget) for seed in seeds
+    )
     if strategy != "clasp" or steady is None:
         yield from plans
         return
@@ -214,14 +212,17 @@ def _grasps(
     for plan in plans:
         sway = loose.sway_of(plan.stages[-1], steady) if plan else None
         found.append((0.0 if sway is None else sway.off, len(found), plan))
-        if not plan or found[-1][0] < loose.LITTLE or time.monotonic() - began > seconds / 2:
+        is_late = time.monotonic() - began > budget.seconds / 2
+        if not plan or is_late or found[-1][0] < loose.LITTLE:
             break
     solved = [one for one in found if one[2]]
     for _, _, plan in sorted(solved) if solved else found:
         yield plan
 
 
-def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[Plan, str]:
+def _placed(
+    plan: Plan, target: Target, document: Any, budget: planning.Budget
+) -> tuple[Plan, str]:
     """Adds the stages that put the object down. Returns the plan, and why it has none."""
     began = time.monotonic()
     grasp, lift = plan.stages[-2:]
@@ -231,12 +232,13 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
     waiting = sum(1 + len(slides) for _, slides in ways)
     failed: list[tuple[int, Plan, str]] = []  # by the stages that were reached
 
-    def share() -> float:
-        left = seconds - (time.monotonic() - began)
-        return max(LEAST_SECONDS, left / waiting)
+    def longer(plan: Plan, *stages: Any) -> Plan:
+        seconds = limits.rest(budget, began).seconds / waiting
+        part = budget.part(seconds=max(LEAST_SECONDS, seconds), seed=plan.task.budget.seed)
+        return _with_stages(plan, document, [*stages], part, target.wish.trust)
 
     for put, slides in ways:
-        there = _with_stages(plan, document, [put], share(), target.wish.trust)
+        there = longer(plan, put)
         waiting -= 1
         if there and not slides:
             return there, ""
@@ -244,7 +246,7 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
             failed.append((1, there, there.reason))
             waiting -= len(slides)
         for slide in slides if there else []:
-            found = _with_stages(there, document, [put, slide], share(), target.wish.trust)
+            found = longer(there, put, slide)
             waiting -= 1
             doubted = doubt(found, target.wish) if found else found.reason
             if not doubted:
@@ -254,10 +256,13 @@ def _placed(plan: Plan, target: Target, document: Any, seconds: float) -> tuple[
     return best, f"picked up, but not put down: {why}"
 
 
-def _with_stages(plan: Plan, document: Any, stages: list[Any], seconds: float, trust: bool) -> Plan:
+def _with_stages(
+    plan: Plan, document: Any, stages: list[Any], budget: planning.Budget, trust: bool
+) -> Plan:
     """Adds the last of some stages to a plan that has the others."""
     whole = document | {"stages": [*document["stages"], *stages]}
     task = task_from_dict(whole, FILE, resolve=True, trust=trust)
-    limit = {"iterations": SLIDE_ITERATIONS} if stages[-1]["kind"] == "slide" else {}
-    budget = planning.Budget(seconds=seconds, seed=plan.task.budget.seed, **limit)
+    if stages[-1]["kind"] == "slide":
+        seconds, seed = budget.seconds, budget.seed
+        budget = budget.part(seconds=seconds, seed=seed, iterations=SLIDE_ITERATIONS)
     return chain.continued(plan, task, budget)

@@ -20,6 +20,7 @@ TEST(Budget, IterationsAreSpentExactly) {
   while (!clock.ran_out() && clock.spend()) ++rounds;
   EXPECT_EQ(rounds, 3);
   EXPECT_EQ(clock.iterations(), 3);
+  EXPECT_EQ(clock.note(), "");
   EXPECT_TRUE(clock.ran_out());
   EXPECT_FALSE(clock.is_out());
   EXPECT_FALSE(clock.was_interrupted());
@@ -32,6 +33,7 @@ TEST(Budget, EndsByTheClock) {
   while (clock.spend()) {
   }
   EXPECT_GE(clock.seconds(), 0.02);
+  EXPECT_EQ(clock.note(), "; the time limit ended the search");
 }
 
 TEST(Budget, EndsWhenInterrupted) {
@@ -43,6 +45,7 @@ TEST(Budget, EndsWhenInterrupted) {
   while (clock.spend()) {
   }
   EXPECT_TRUE(clock.was_interrupted());
+  EXPECT_EQ(clock.note(), "");
   EXPECT_EQ(asked, 2);
 }
 

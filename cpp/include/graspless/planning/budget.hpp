@@ -54,6 +54,7 @@ class GRASPLESS_API Clock {
   double seconds() const;  ///< since construction
   std::int64_t iterations() const { return iterations_; }
   std::string reason() const;  ///< of a query that ended without a plan because the clock was out
+  std::string note() const;    ///< for the reason of a search that the time ended; otherwise empty
 
   /// Runs `work` and returns true; or false if poll() ended it. That happens when the clock is out
   /// and the loops that ask is_out() have not ended the work soon, or memory cannot be allocated.
