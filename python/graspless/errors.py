@@ -55,7 +55,7 @@ class OutOfTimeError(TaskError):
 # What libraries raise over broken files. A warning that is an error, or an exception of the
 # program that a signal handler raises meanwhile, is none of these.
 LIBRARIES = (
-    "binascii", "builtins", "collada", "graspless", "gzip", "json", "lxml", "lzma", "numpy",
+    "PIL", "binascii", "builtins", "collada", "graspless", "gzip", "json", "lxml", "lzma", "numpy",
     "pickle", "pydantic_core", "pyexpat", "scipy", "struct", "tokenize", "trimesh", "xml", "yaml",
     "zipfile", "zlib",
 )  # fmt: skip

@@ -6,10 +6,11 @@ import json
 import re
 
 import numpy as np
+import PIL.Image
 import pytest
 
 import graspless
-from graspless import perception, slide
+from graspless import frames, perception, slide
 from graspless.cli import main
 from graspless.errors import TaskError
 from graspless.perception import cli
@@ -293,6 +294,115 @@ def test_each_cloud_has_its_own_viewpoint(folder, capsys):
     assert "two.xyz: viewpoint" in said
 
 
+CAMERA = """
+focal: [{K[0][0]}, {K[1][1]}]
+center: [{K[0][2]}, {K[1][2]}]
+pose: {{position: {position}, quaternion: {quaternion}}}
+"""
+
+
+def write_camera(folder, name, text=""):
+    """Writes the camera of the frame, and returns the name of its file, depths, K and X_WC."""
+    with np.load(folder / "frame.npz") as frame:
+        K, X_WC, depth = frame["K"], frame["X_WC"], frame["depth"]
+    row = [float(value) for value in frames.to_row(X_WC)]
+    content = CAMERA.format(K=K.tolist(), position=row[:3], quaternion=row[3:])
+    (folder / name).write_text(content + text)
+    written = frames.translation(row[:3]) @ frames.from_quaternion(row[3:])
+    return str(folder / name), depth, K, written
+
+
+def test_depth_images_of_every_kind_show_the_same_scene(folder, capsys):
+    camera, depth, K, X_WC = write_camera(folder, "camera.yaml", "unit: 0.001")
+    counts = np.round(1000 * np.nan_to_num(depth)).astype(np.uint16)
+    np.savez(folder / "same.npz", depth=0.001 * counts, K=K, X_WC=X_WC)
+    PIL.Image.fromarray(counts).save(folder / "depth.png")
+    PIL.Image.fromarray(counts).save(folder / "depth.tif")
+    np.save(folder / "depth.npy", counts)
+    in_metres = write_camera(folder, "metres.yaml")[0]
+    np.save(folder / "metres.npy", (0.001 * counts).astype(np.float32))
+    PIL.Image.fromarray((0.001 * counts).astype(np.float32)).save(folder / "metres.tiff")
+
+    def seen(name, *flags):
+        arguments = ["see", str(folder / name), *flags, "-o", str(folder / "y.yaml"), "--json"]
+        assert main(arguments) == 0
+        return json.loads(capsys.readouterr().out)
+
+    expected = seen("same.npz")
+    assert len(expected["objects"]) == 3
+    for name in ("depth.png", "depth.tif", "depth.npy"):
+        assert seen(name, "--camera", camera) == expected
+    for name in ("metres.npy", "metres.tiff"):  # in single precision
+        (first, *_), (same, *_) = seen(name, "--camera", in_metres)["objects"], expected["objects"]
+        assert first["position"] == pytest.approx(same["position"], abs=1e-4)
+    two = seen("depth.png", str(folder / "depth.npy"), "--camera", camera, "--camera", camera)
+    assert len(two["objects"]) == 3
+
+
+def test_an_array_of_points_is_a_cloud(folder, capsys):
+    _, depth, K, X_WC = write_camera(folder, "camera.yaml")
+    v, u = np.nonzero(depth > 0)
+    rays = np.stack([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], np.ones(len(u))], axis=-1)
+    points = (rays * depth[v, u, None]) @ X_WC[:3, :3].T + X_WC[:3, 3]
+    np.save(folder / "cloud.npy", points)
+    np.savetxt(folder / "cloud.xyz", points, "%.17g")
+    viewpoint = ["--viewpoint", *map(str, X_WC[:3, 3]), "-o", str(folder / "z.yaml"), "--json"]
+    said = []
+    for name in ("cloud.npy", "cloud.xyz"):
+        assert main(["see", str(folder / name), *viewpoint]) == 0
+        said.append(capsys.readouterr().out)
+    assert said[0] == said[1]
+
+
+def test_bad_depth_images_are_refused(folder, capsys):
+    camera, depth, *_ = write_camera(folder, "camera.yaml", "unit: 0.001")
+    bare = write_camera(folder, "bare.yaml")[0]
+    counts = np.round(1000 * np.nan_to_num(depth)).astype(np.uint16)
+    PIL.Image.fromarray(counts).save(folder / "good.png")
+
+    def refused(image, *flags):
+        name = str(folder / "bad.npy")
+        if isinstance(image, np.ndarray):
+            np.save(name, image)
+        else:
+            name = str(folder / image)
+        assert main(["see", name, *flags, "-o", str(folder / "x.yaml")]) == 2
+        return capsys.readouterr().err
+
+    assert "good.png: a depth image needs --camera YAML, a file with" in refused("good.png")
+    said = refused("good.png", "--camera", bare)
+    assert "bare.yaml:2: unit: missing: good.png has integers; should be the distance" in said
+    said = refused("good.png", "--camera", camera, "--camera", camera)
+    assert f"--camera: 2 for 1 image(s) ({folder / 'good.png'}): should be given once" in said
+    assert "--camera: 1 for 0 image(s) (an .npz" in refused("frame.npz", "--camera", camera)
+    assert "none.yaml: cannot be read: No such file" in refused("good.png", "--camera", "none.yaml")
+    for text, words in (
+        ("unit: 1.0", "unit: 1.0: should be less than or equal to 0.01"),
+        ("distortion: [0.1]", "distortion: unknown field"),
+        ("unit: mm", "unit: mm: should be a valid number"),
+    ):
+        wrong = write_camera(folder, "wrong.yaml", text)[0]
+        assert f"wrong.yaml:5: {words}" in refused("good.png", "--camera", wrong)
+    for mode in ("L", "RGB"):
+        PIL.Image.fromarray((counts >> 8).astype(np.uint8)).convert(mode).save(folder / "8.png")
+        said = refused("8.png", "--camera", camera)
+        assert f"as a depth image: its pixels are of type {mode}; those of a depth image" in said
+    (folder / "cut.png").write_bytes((folder / "good.png").read_bytes()[:900])
+    assert "cut.png: cannot be read as a depth image: " in refused("cut.png", "--camera", camera)
+    (folder / "text.png").write_text("no image")
+    assert "text.png: cannot be read as a depth" in refused("text.png", "--camera", camera)
+    given = ("--camera", camera)
+    assert "bad.npy: has shape (480, 640, 4); a depth image" in refused(
+        np.ones((480, 640, 4)), *given
+    )
+    assert "holds values of type complex128, not" in refused(np.ones((480, 640), complex), *given)
+    assert "as a depth image: " in refused(np.array([[{}]]), *given)
+    assert "at most 50000000 are read" in refused(np.ones((7100, 7100), np.uint8), *given)
+    (folder / "arrays.npy").write_bytes((folder / "frame.npz").read_bytes())
+    assert "holds several arrays; their file" in refused("arrays.npy", *given)
+    assert "a cloud needs --viewpoint" in refused(np.ones((9, 3)))
+
+
 def test_a_file_of_other_origin_beside_the_scene_is_kept(folder, capsys):
     def see(*flags):
         assert main(["see", str(folder / "frame.npz"), "-o", str(folder / "own.yaml"), *flags]) == 0
@@ -337,9 +447,11 @@ def test_bad_files_are_refused(folder, capsys):
     assert "no such file" in refused(folder / "none.npz")
     assert "unknown kind of file" in refused(folder / "scene.yaml")
     said = refused(folder / "frame.npz", "--viewpoint", 0, 0, 1)
-    assert said.startswith("--viewpoint: 0 0 1: only for clouds (.ply, .pcd, .xyz); the array X_WC")
-    said = refused(folder / "cloud.npy", "--viewpoint", 0, 0, 1)
-    assert "cloud.npy: unknown kind of file (one of: .npz, .ply, .pcd, .xyz)" in said
+    assert said.startswith("--viewpoint: 1 for 0 cloud(s) (an .npz file has K and X_WC): should be")
+    said = refused(folder / "cloud.bag", "--viewpoint", 0, 0, 1)
+    assert "--viewpoint: 1 for 0 cloud(s)" in said
+    choices = ".npz, .png, .tif, .tiff, .npy, .ply, .pcd, .xyz"
+    assert f"cloud.bag: unknown kind of file (one of: {choices})" in refused(folder / "cloud.bag")
     (folder / "cloud.xyz").write_text("0 0 1\n")
     assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
     assert "VIEWPOINT" not in refused(folder / "cloud.xyz")

@@ -171,7 +171,7 @@ FAULTS = [
         13,
         r"obstacles\[0\].mesh.scale: 0: should be greater than 0$",
     ),
-    ((OUTLINE, "cloud: scan.e57"), 7, r"object.cloud: scan.e57: .*one of: .ply, .pcd, .xyz"),
+    ((OUTLINE, "cloud: scan.e57"), 7, r"object.cloud: scan.e57: .*one of: .ply, .pcd, .xyz, .npy"),
     (("kind: slide", "kind: slide\nkind: slide"), 2, r"kind: given twice"),
     (("kind: slide", "kind: [slide"), 2, r"not valid YAML: .* \(column 6\)"),
     (
@@ -497,6 +497,8 @@ CLOUDS = {
     "binary.ply": lambda path, p: write_ply(path, p, True),
     "plain.xyz": lambda path, p: np.savetxt(path, p),
     "colours.xyz": lambda path, p: np.savetxt(path, np.hstack([p, p]), header="x y z r g b"),
+    "plain.npy": np.save,
+    "organised.npy": lambda path, p: np.save(path, p.reshape(12, 12, 3)),
     "ascii.pcd": lambda path, p: write_pcd(path, p, "ascii"),
     "binary.pcd": lambda path, p: write_pcd(path, p, "binary"),
     "compressed.pcd": lambda path, p: write_pcd(path, p, "binary_compressed"),
@@ -623,11 +625,15 @@ def test_cloud_that_cannot_be_slid(write, tmp_path, points, what, kind):
     assert what in message
 
 
-def test_broken_clouds(write):
+def test_broken_clouds(write, tmp_path):
     write("ply\nformat ascii 1.0\nelement vertex 3\n", "a.ply")
     write("# .PCD v0.7\nVERSION", "a.pcd")
     write("1 2 x\n", "a.xyz")
-    for name in ("a.ply", "a.pcd", "a.xyz"):
+    write("no array", "a.npy")
+    np.save(tmp_path / "flat.npy", np.ones(9))
+    np.save(tmp_path / "colours.npy", np.ones((9, 6)))
+    np.save(tmp_path / "words.npy", np.full((9, 3), "a"))
+    for name in ("a.ply", "a.pcd", "a.xyz", "a.npy", "flat.npy", "colours.npy", "words.npy"):
         message = fault(write(cloud_task(name)))
         assert message.startswith(f"task.yaml:7: object.cloud: {name}: cannot be read"), message
 

@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "file",
         metavar="CLOUD",
-        help="point cloud (.ply, .pcd, .xyz), mesh (.stl, .obj, .off) or scene file (.yaml)",
+        help="point cloud (.ply, .pcd, .xyz, .npy), mesh (.stl, .obj, .off) or scene file (.yaml)",
     )
     parser.add_argument("--object", metavar="NAME", help="object of the scene file")
     parser.add_argument(
@@ -182,7 +182,7 @@ def read_points(path: str, unit: str, count: int, seed: int) -> tuple[Matrix, bo
     Parameters
     ----------
     path : str
-        Cloud (.ply, .pcd, .xyz) or mesh (.stl, .obj, .off).
+        Cloud (.ply, .pcd, .xyz, .npy) or mesh (.stl, .obj, .off).
     unit : str
         Unit of length of the file: m or mm.
     count, seed : int

@@ -12,17 +12,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._commands import FOUND, NOT_FOUND
-from ..errors import TaskError, explain, is_of_library
-from ..files import absence
+from ..errors import TaskError
+from .view_files import kind_of, read_view
 
 if TYPE_CHECKING:
     import argparse
 
-    from .._core.perception import Options, Scene, View
+    from .._core.perception import Options, Scene
     from ..frames import Matrix
-
-CLOUDS = (".ply", ".pcd", ".xyz")
-MOST = 4_000_000_000  # bytes of the arrays in a file
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,7 +34,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         nargs="+",
         help=".npz with the arrays depth (H, W) or frames (N, H, W) to be averaged [m], K (3, 3) "
-        "[pixels] and X_WC (4, 4); or a cloud (.ply, .pcd, .xyz) in the world, with --viewpoint",
+        "[pixels] and X_WC (4, 4); a depth image (.png, .tiff, .npy) with --camera; or a cloud "
+        "(.ply, .pcd, .xyz, .npy) in the world, with --viewpoint",
+    )
+    parser.add_argument(
+        "--camera",
+        metavar="YAML",
+        action="append",
+        help="file with the camera of a depth image: focal, center, pose, and the unit of "
+        "integers; once for each image, in their order",
     )
     parser.add_argument(
         "--viewpoint",
@@ -92,9 +97,12 @@ def _run(options: argparse.Namespace) -> int:
         view.check_png(options.png)
         files.check_writable(options.png)
     chosen = _perception_options(options.options)
-    viewpoints = _viewpoints(options)
-    views = [read_view(Path(path), viewpoints.get(k)) for k, path in enumerate(options.files)]
-    _require_cloud(options)
+    cameras = _each(options.files, "image", "--camera", options.camera)
+    viewpoints = _each(options.files, "cloud", "--viewpoint", options.viewpoint)
+    views = [
+        read_view(Path(path), cameras.get(k), viewpoints.get(k))
+        for k, path in enumerate(options.files)
+    ]
     for path, given in zip(options.files, views, strict=True):
         warn_of_camera(given, path)
     try:
@@ -141,102 +149,19 @@ def _perception_options(text: str | None) -> Options:
     return Options(**fields.model_dump(exclude_none=True))
 
 
-def _clouds(options: argparse.Namespace) -> list[int]:
-    """Returns which of the files are clouds."""
-    return [k for k, file in enumerate(options.files) if Path(file).suffix.lower() in CLOUDS]
+def _each(files: list[str], kind: str, flag: str, given: list[Any] | None) -> dict[int, Any]:
+    """Returns the values of a flag by the index of their files, or none if the flag is not given.
 
-
-def _viewpoints(options: argparse.Namespace) -> dict[int, list[float]]:
-    """Returns the viewpoints of the clouds by the index of their files, or none.
-
-    Raises TaskError if there are viewpoints, but not one for each cloud.
+    Raises TaskError if there are values, but not one for each file of the kind.
     """
-    clouds, given = _clouds(options), options.viewpoint or []
-    if clouds and given and len(given) != len(clouds):
-        names = ", ".join(options.files[k] for k in clouds)
+    found = [k for k, file in enumerate(files) if kind_of(Path(file)) == kind]
+    if given and len(given) != len(found):
+        names = ", ".join(files[k] for k in found) if found else "an .npz file has K and X_WC"
         raise TaskError(
-            f"--viewpoint: {len(given)} for {len(clouds)} cloud(s) ({names}): should "
-            "be given once for each, in their order"
+            f"{flag}: {len(given)} for {len(found)} {kind}(s) ({names}): should be given once for "
+            "each, in their order"
         )
-    return dict(zip(clouds, given, strict=False))
-
-
-def _require_cloud(options: argparse.Namespace) -> None:
-    """Raises TaskError if --viewpoint would have no effect."""
-    if options.viewpoint is None or _clouds(options):
-        return
-    given = " ".join(f"{x:g}" for x in options.viewpoint[0])
-    raise TaskError(
-        f"--viewpoint: {given}: only for clouds ({', '.join(CLOUDS)}); the array X_WC of an .npz "
-        "file says where its camera was"
-    )
-
-
-def read_view(path: Path, viewpoint: list[float] | None) -> View:
-    """Reads one view from a file of arrays, or from a cloud and its viewpoint.
-
-    Raises
-    ------
-    TaskError
-        The file is missing or not valid; names file, array and shape.
-    """
-    from .clouds import view_of_cloud
-
-    suffix = path.suffix.lower()
-    if suffix not in (".npz", *CLOUDS):
-        choices = ", ".join((".npz", *CLOUDS))
-        raise TaskError(f"{path}: unknown kind of file (one of: {choices})")
-    if not path.is_file():
-        raise TaskError(f"{path}: {absence(path)}")
-    try:
-        if suffix == ".npz":
-            return _view_of_arrays(path)
-        from ..tasks.clouds import read_cloud, stated_viewpoint
-
-        if viewpoint is None:
-            hint = ""
-            if (stated := stated_viewpoint(path)) is not None:
-                shown = " ".join(f"{value:g}" for value in stated)
-                hint = f"; VIEWPOINT in the file is {shown}, if that is in the points' frame"
-            raise ValueError(
-                "a cloud needs --viewpoint X Y Z, the position of the camera: without it nobody "
-                f"knows what the points hide{hint}"
-            )
-        return view_of_cloud(read_cloud(path), viewpoint)
-    except ValueError as error:
-        raise TaskError(f"{path}: {error}") from None
-
-
-def _view_of_arrays(path: Path) -> View:
-    from .._core.perception import View
-    from ..tasks.source import shorten
-    from .arrays import read_arrays
-    from .clouds import average
-
-    try:
-        found = read_arrays(path, MOST, wanted=("depth", "frames", "K", "X_WC"))
-    except Exception as error:  # numpy and zipfile raise whatever they stumble over
-        if not is_of_library(error):
-            raise
-        raise ValueError(f"cannot be read as arrays: {explain(error)}") from None
-    missing, hint = [name for name in ("K", "X_WC") if name not in found], ""
-    if "depth" in found and "frames" in found:
-        raise ValueError("has both depth and frames; it must have one of them")
-    if "depth" not in found and "frames" not in found:
-        missing.insert(0, "depth (or frames)")
-        hint = "; for an organised cloud use perception.view_of_organized, see docs/howto/camera.md"
-    if missing:
-        with np.load(path) as arrays:
-            has = shorten(", ".join(arrays.files) or "none")
-        what = f"array{'s' if len(missing) > 1 else ''} {', '.join(missing)}"
-        raise ValueError(f"must have the {what}; it has {has}{hint}")
-    for name, array in found.items():
-        if array.dtype.kind not in "fiu":
-            raise ValueError(f"{name} has values of type {array.dtype}, not numbers")
-    if "frames" in found and found["frames"].ndim != 3:
-        raise ValueError(f"frames has shape {found['frames'].shape}; it must be (N, H, W)")
-    depth = found["depth"] if "depth" in found else average(list(found["frames"]))
-    return View(depth, found["K"], found["X_WC"])
+    return dict(zip(found, given or [], strict=False))
 
 
 def _lines(scene: Scene) -> list[str]:

@@ -196,9 +196,7 @@ class Moving:
             return f"{move.words}: {1000 * min(goal.sides):.0f} mm wide there, {hand}"
         return f"{move.words}: {1000 * goal.height:.0f} mm high there, {hand}"
 
-    def _is_graspable(
-        self, grasp: str, there: Wish, move: Move, budget: planning.Budget
-    ) -> bool:
+    def _is_graspable(self, grasp: str, there: Wish, move: Move, budget: planning.Budget) -> bool:
         """True if the arm can grasp the block where a motion ends: found out before it is planned.
 
         A grasp takes milliseconds, a motion by fingertips many times that.

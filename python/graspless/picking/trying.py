@@ -220,9 +220,7 @@ def _grasps(
         yield plan
 
 
-def _placed(
-    plan: Plan, target: Target, document: Any, budget: planning.Budget
-) -> tuple[Plan, str]:
+def _placed(plan: Plan, target: Target, document: Any, budget: planning.Budget) -> tuple[Plan, str]:
     """Adds the stages that put the object down. Returns the plan, and why it has none."""
     began = time.monotonic()
     grasp, lift = plan.stages[-2:]

@@ -14,14 +14,17 @@ from ..errors import is_of_library, warn
 from ..files import absence
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from ..frames import Matrix
 
-SUFFIXES = (".ply", ".pcd", ".xyz")
+SUFFIXES = (".ply", ".pcd", ".xyz", ".npy")
+MOST_BYTES = 4_000_000_000  # of an .npy file
 LZF_RATIO = 100  # of bytes unpacked to packed, at most: three bytes make 264
 
 
 def read_cloud(path: str | Path) -> Matrix:
-    """Returns the points of a PLY, PCD or XYZ file; of a PLY with faces, its vertices.
+    """Returns the points of a PLY, PCD, XYZ or NPY file; of a PLY with faces, its vertices.
 
     Points that are not finite are left out, with a warning: depth cameras write NaN for pixels
     without a measurement.
@@ -29,7 +32,8 @@ def read_cloud(path: str | Path) -> Matrix:
     Parameters
     ----------
     path : str or Path
-        .ply (ascii, binary), .pcd (ascii, binary, binary_compressed) or .xyz.
+        .ply (ascii, binary), .pcd (ascii, binary, binary_compressed), .xyz, or .npy of an array
+        (N, 3) or (H, W, 3).
 
     Returns
     -------
@@ -47,7 +51,7 @@ def read_cloud(path: str | Path) -> Matrix:
         raise ValueError(f"unknown kind of point cloud (one of: {', '.join(SUFFIXES)})")
     if not path.is_file():
         raise ValueError(absence(path))
-    readers = {".pcd": _read_pcd, ".ply": _read_ply, ".xyz": _read_xyz}
+    readers = {".pcd": _read_pcd, ".ply": _read_ply, ".xyz": _read_xyz, ".npy": _read_npy}
     try:
         points = readers[path.suffix.lower()](path)
     except Exception as error:  # readers of broken files raise whatever they stumble over
@@ -64,6 +68,25 @@ def read_cloud(path: str | Path) -> Matrix:
             raise ValueError(what)
         warn(f"{path}: {what} and are left out")
     return np.asarray(points[is_finite])
+
+
+def read_array(path: Path) -> NDArray[Any]:
+    """Returns the array of numbers in an .npy file, which stays on the disk until it is copied.
+
+    Raises
+    ------
+    Exception
+        The file is not valid, too large, or holds no numbers: numpy raises errors of many types.
+    """
+    if (size := path.stat().st_size) > MOST_BYTES:
+        raise ValueError(f"holds {size} bytes; at most {MOST_BYTES} are read")
+    found = np.load(path, mmap_mode="r", allow_pickle=False)
+    if not isinstance(found, np.ndarray):
+        found.close()
+        raise ValueError("holds several arrays; their file should end with .npz")
+    if found.dtype.kind not in "fiu":
+        raise ValueError(f"holds values of type {found.dtype}, not numbers")
+    return found
 
 
 def stated_viewpoint(path: Path) -> list[float] | None:
@@ -138,6 +161,13 @@ def _read_xyz(path: Path) -> Matrix:
         if len(words) < 3:
             raise ValueError(f"line {number} holds {len(words)} numbers, not three")
     return np.array(rows, dtype=float).reshape(-1, 3)
+
+
+def _read_npy(path: Path) -> Matrix:
+    found = read_array(path)
+    if found.ndim not in (2, 3) or found.shape[-1] != 3:
+        raise ValueError(f"the array has shape {found.shape}; it must be (N, 3) or (H, W, 3)")
+    return np.array(found, dtype=float).reshape(-1, 3)
 
 
 def _read_pcd(path: Path) -> Matrix:

@@ -31,11 +31,15 @@ class RayCamera(Fields):
     focal: Size2 = Field(description="focal lengths along x and y [pixels]")
     center: Point2 = Field(description="principal point [pixels]")
 
+    @property
+    def K(self) -> Matrix:
+        """Camera matrix [3, 3] [pixels]."""
+        (fx, fy), (cx, cy) = self.focal, self.center
+        return np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
+
     def image(self, ends: Matrix, clear: Matrix | None = None) -> geometry.RayImage:
         """Returns the rays of this camera. `ends`, `clear`: see geometry.RayImage."""
-        (fx, fy), (cx, cy) = self.focal, self.center
-        K = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
-        return geometry.RayImage(ends, K, pose_matrix(self.pose), clear)
+        return geometry.RayImage(ends, self.K, pose_matrix(self.pose), clear)
 
 
 class Rays(RayCamera):

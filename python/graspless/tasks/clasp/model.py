@@ -75,7 +75,7 @@ class Object(Fields):
     """Object with a hole, given as a cloud of points on its surface, in a frame O."""
 
     name: str = "object"
-    cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
+    cloud: str | None = Field(default=None, description="a .ply, .pcd, .xyz or .npy file")
     mesh: MeshFile | None = Field(default=None, description="mesh on which points are sampled")
     scene: str | None = Field(
         default=None,

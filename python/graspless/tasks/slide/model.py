@@ -93,7 +93,7 @@ class Object(Fields):
     polygon: Points2 | None = Field(default=None, description="outline in O [m]")
     rectangle: Rectangle | None = None
     circle: Circle | None = None
-    cloud: str | None = Field(default=None, description="point cloud: a .ply, .pcd or .xyz file")
+    cloud: str | None = Field(default=None, description="a .ply, .pcd, .xyz or .npy file")
     points: list[Point3] | None = Field(default=None, description="the points themselves, in O [m]")
     scene: str | None = Field(
         default=None,
