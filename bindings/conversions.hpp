@@ -157,6 +157,18 @@ constexpr auto num_members(int) -> decltype(Struct{Given{}..., Anything{}}, std:
 /// "Name(field=value, ...)" from attributes of a bound object.
 std::string represent(const py::handle& self, const std::vector<const char*>& names);
 
+/// Lets Python pickle and copy the objects of a class. They are made anew from the attributes that
+/// the constructor takes by keyword.
+template <class Class>
+void bind_pickling(Class& cls, std::vector<const char*> names) {
+  cls.def("__reduce__", [names = std::move(names)](const py::object& self) {
+    py::dict given;
+    for (const char* name : names) given[name] = self.attr(name);
+    const py::object make = py::module_::import("functools").attr("partial");
+    return py::make_tuple(make(py::type::of(self), **given), py::tuple());
+  });
+}
+
 /// Binds a plain struct from one table: a constructor of keywords with the struct's own defaults,
 /// attributes that can be read and set, and a repr.
 template <class Struct, class... Values>
@@ -173,6 +185,7 @@ void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Va
   cls.def("__repr__", [names = std::vector<const char*>{fields.name...}](const py::object& self) {
     return represent(self, names);
   });
+  bind_pickling(cls, {fields.name...});
 }
 
 /// As bind_fields, of what a search counted: with as_dict(), in the order of the table.

@@ -438,16 +438,17 @@ RayImage rays_of_depth(const FloatImage& depth, const BoolImage& is_object, cons
 }
 
 void bind_ray_image(py::module_& m) {
-  py::class_<RayImage>(m, "RayImage",
-                       "Rays of a camera around an object. They show where the object is, and "
-                       "where it is open.")
-      .def(py::init(&to_ray_image), py::arg("ends"), py::arg("K"), py::arg("X_OC"),
-           py::arg("clear") = py::none(),
-           "ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. "
-           "Negative: the ray ends on the object, at minus this depth. Infinite: it passes the "
-           "object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose "
-           "of the optical frame in the frame of the object's points, z forward. clear: (H, W) "
-           "depth up to which a ray of unknown end met nothing [m]; 0: nobody knows.")
+  py::class_<RayImage> cls(m, "RayImage",
+                           "Rays of a camera around an object. They show where the object is, and "
+                           "where it is open.");
+  bind_pickling(cls, {"ends", "K", "X_OC", "clear"});
+  cls.def(py::init(&to_ray_image), py::arg("ends"), py::arg("K"), py::arg("X_OC"),
+          py::arg("clear") = py::none(),
+          "ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. "
+          "Negative: the ray ends on the object, at minus this depth. Infinite: it passes the "
+          "object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose "
+          "of the optical frame in the frame of the object's points, z forward. clear: (H, W) "
+          "depth up to which a ray of unknown end met nothing [m]; 0: nobody knows.")
       .def_static("from_depth", &rays_of_depth, py::arg("depth"), py::arg("is_object"),
                   py::arg("K"), py::arg("X_OC"),
                   "Makes rays from a depth image.\n\ndepth: (H, W) [m]; 0 or not finite: unknown. "

@@ -121,14 +121,15 @@ geometry::Polygon to_ring(const Array& rows, const std::string& name) {
 Rows2 from_ring(const geometry::Polygon& polygon) { return polygon.vertices().transpose(); }
 
 void bind_view(py::module_& m) {
-  py::class_<View>(m, "View", "A depth image and the camera that took it.")
-      .def(py::init([](const FloatImage& depth, const Array& K, const Array& X_WC) {
-             return View{to_image(depth), to_matrix3(K, "K"), to_pose(X_WC, "X_WC")};
-           }),
-           py::arg("depth"), py::arg("K"), py::arg("X_WC"),
-           "depth: (H, W) depths along the optical axis [m]; 0 or not finite: none. K: (3, 3) "
-           "camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z "
-           "forward.")
+  py::class_<View> cls(m, "View", "A depth image and the camera that took it.");
+  bind_pickling(cls, {"depth", "K", "X_WC"});
+  cls.def(py::init([](const FloatImage& depth, const Array& K, const Array& X_WC) {
+            return View{to_image(depth), to_matrix3(K, "K"), to_pose(X_WC, "X_WC")};
+          }),
+          py::arg("depth"), py::arg("K"), py::arg("X_WC"),
+          "depth: (H, W) depths along the optical axis [m]; 0 or not finite: none. K: (3, 3) "
+          "camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z "
+          "forward.")
       .def_property_readonly(
           "depth", [](const View& self) -> const DepthImage { return self.depth; },
           "(H, W) depths [m], float32.")
@@ -145,35 +146,38 @@ void bind_view(py::module_& m) {
 }
 
 void bind_support(py::module_& m) {
-  py::class_<Support>(m, "Support",
-                      "A level or tilted plane that objects lie on, with a label for each edge.\n\n"
-                      "Its frame S has z out of the plane.")
-      .def(py::init([](const std::string& name, const Array& polygon, std::vector<EdgeLabel> edges,
-                       const Array& X_WS, double height_error, double angle_error, double noise,
-                       double least_thickness) {
-             Support support{name,
-                             to_ring(polygon, "polygon"),
-                             std::move(edges),
-                             to_pose(X_WS, "X_WS"),
-                             height_error,
-                             angle_error,
-                             noise,
-                             least_thickness};
-             if (support.edges.size() != static_cast<std::size_t>(support.polygon.size())) {
-               throw std::invalid_argument("edges has " + std::to_string(support.edges.size()) +
-                                           " labels; it must have one per edge of the polygon, " +
-                                           std::to_string(support.polygon.size()));
-             }
-             // A clockwise ring has been reversed, and so are its edges: the last one stays last.
-             const Eigen::Vector2d first(polygon.at(0, 0), polygon.at(0, 1));
-             if (support.polygon.vertices().col(0) != first) {
-               std::reverse(support.edges.begin(), support.edges.end() - 1);
-             }
-             return support;
-           }),
-           py::kw_only(), py::arg("name"), py::arg("polygon"), py::arg("edges"), py::arg("X_WS"),
-           py::arg("height_error") = 0.0, py::arg("angle_error") = 0.0, py::arg("noise") = 0.0,
-           py::arg("least_thickness") = 0.0, "Any field by keyword.")
+  py::class_<Support> cls(
+      m, "Support",
+      "A level or tilted plane that objects lie on, with a label for each edge.\n\n"
+      "Its frame S has z out of the plane.");
+  bind_pickling(cls, {"name", "polygon", "edges", "X_WS", "height_error", "angle_error", "noise",
+                      "least_thickness"});
+  cls.def(py::init([](const std::string& name, const Array& polygon, std::vector<EdgeLabel> edges,
+                      const Array& X_WS, double height_error, double angle_error, double noise,
+                      double least_thickness) {
+            Support support{name,
+                            to_ring(polygon, "polygon"),
+                            std::move(edges),
+                            to_pose(X_WS, "X_WS"),
+                            height_error,
+                            angle_error,
+                            noise,
+                            least_thickness};
+            if (support.edges.size() != static_cast<std::size_t>(support.polygon.size())) {
+              throw std::invalid_argument("edges has " + std::to_string(support.edges.size()) +
+                                          " labels; it must have one per edge of the polygon, " +
+                                          std::to_string(support.polygon.size()));
+            }
+            // A clockwise ring has been reversed, and so are its edges: the last one stays last.
+            const Eigen::Vector2d first(polygon.at(0, 0), polygon.at(0, 1));
+            if (support.polygon.vertices().col(0) != first) {
+              std::reverse(support.edges.begin(), support.edges.end() - 1);
+            }
+            return support;
+          }),
+          py::kw_only(), py::arg("name"), py::arg("polygon"), py::arg("edges"), py::arg("X_WS"),
+          py::arg("height_error") = 0.0, py::arg("angle_error") = 0.0, py::arg("noise") = 0.0,
+          py::arg("least_thickness") = 0.0, "Any field by keyword.")
       .def_readonly("name", &Support::name, "Name: support_0 is the largest.")
       .def_property_readonly(
           "polygon", [](const Support& self) -> const Rows2 { return from_ring(self.polygon); },
@@ -201,36 +205,39 @@ void bind_support(py::module_& m) {
 }
 
 void bind_seen_object(py::module_& m) {
-  py::class_<Object>(m, "Object",
-                     "A thing that stands on a support or lies on it.\n\nIts frame O has its "
-                     "origin in the support's plane, below the centroid of the outline, z out of "
-                     "the plane, and x along its longest extent.")
-      .def(py::init([](const std::string& name, const std::string& support, const Array& outline,
-                       const Array& X_WO, double thickness, double thickness_error, bool is_flat,
-                       double position_error, double yaw_error, const Array& points,
-                       std::vector<geometry::RayImage> rays, bool touches_border,
-                       std::vector<std::string> warnings) {
-             for (std::size_t i = 0; i < rays.size(); ++i)
-               validate(rays[i], "rays[" + std::to_string(i) + "]");
-             return Object{name,
-                           support,
-                           to_ring(outline, "outline"),
-                           to_pose(X_WO, "X_WO"),
-                           thickness,
-                           thickness_error,
-                           is_flat,
-                           position_error,
-                           yaw_error,
-                           to_points3(points, "points"),
-                           std::move(rays),
-                           touches_border,
-                           std::move(warnings)};
-           }),
-           py::kw_only(), py::arg("name"), py::arg("support"), py::arg("outline"), py::arg("X_WO"),
-           py::arg("thickness"), py::arg("thickness_error"), py::arg("is_flat"),
-           py::arg("position_error"), py::arg("yaw_error"), py::arg("points"),
-           py::arg("rays") = std::vector<geometry::RayImage>{}, py::arg("touches_border") = false,
-           py::arg("warnings") = std::vector<std::string>{}, "Any field by keyword.")
+  py::class_<Object> cls(m, "Object",
+                         "A thing that stands on a support or lies on it.\n\nIts frame O has its "
+                         "origin in the support's plane, below the centroid of the outline, z out "
+                         "of the plane, and x along its longest extent.");
+  bind_pickling(cls,
+                {"name", "support", "outline", "X_WO", "thickness", "thickness_error", "is_flat",
+                 "position_error", "yaw_error", "points", "rays", "touches_border", "warnings"});
+  cls.def(py::init([](const std::string& name, const std::string& support, const Array& outline,
+                      const Array& X_WO, double thickness, double thickness_error, bool is_flat,
+                      double position_error, double yaw_error, const Array& points,
+                      std::vector<geometry::RayImage> rays, bool touches_border,
+                      std::vector<std::string> warnings) {
+            for (std::size_t i = 0; i < rays.size(); ++i)
+              validate(rays[i], "rays[" + std::to_string(i) + "]");
+            return Object{name,
+                          support,
+                          to_ring(outline, "outline"),
+                          to_pose(X_WO, "X_WO"),
+                          thickness,
+                          thickness_error,
+                          is_flat,
+                          position_error,
+                          yaw_error,
+                          to_points3(points, "points"),
+                          std::move(rays),
+                          touches_border,
+                          std::move(warnings)};
+          }),
+          py::kw_only(), py::arg("name"), py::arg("support"), py::arg("outline"), py::arg("X_WO"),
+          py::arg("thickness"), py::arg("thickness_error"), py::arg("is_flat"),
+          py::arg("position_error"), py::arg("yaw_error"), py::arg("points"),
+          py::arg("rays") = std::vector<geometry::RayImage>{}, py::arg("touches_border") = false,
+          py::arg("warnings") = std::vector<std::string>{}, "Any field by keyword.")
       .def_readonly("name", &Object::name, "Name: object_0 is nearest to the first camera.")
       .def_readonly("support", &Object::support, "Name of the support.")
       .def_property_readonly(
@@ -271,7 +278,9 @@ void bind_seen_object(py::module_& m) {
         return represent(self, {"name", "support", "thickness", "thickness_error", "is_flat"});
       });
 
-  py::class_<Unseen>(m, "Unseen", "Space over a support that no ray reached.")
+  py::class_<Unseen> unseen(m, "Unseen", "Space over a support that no ray reached.");
+  bind_pickling(unseen, {"behind", "vertices"});
+  unseen
       .def(py::init([](const std::string& behind, const Array& vertices) {
              return Unseen{behind, {to_points3(vertices, "vertices")}};
            }),
@@ -311,6 +320,7 @@ void bind_scene_class(py::module_& m) {
           py::kw_only(), py::arg("status"), py::arg("reason"), py::arg("supports"),
           py::arg("objects"), py::arg("unseen"), py::arg("warnings"),
           py::arg("stamp") = std::nullopt, "Any field by keyword.");
+  bind_pickling(cls, {"status", "reason", "supports", "objects", "unseen", "warnings", "stamp"});
   cls.def_readonly("status", &Scene::status, "Outcome.");
   cls.def_readonly("reason", &Scene::reason,
                    "Result, or the reason why there is none and what to do; one sentence or two.");

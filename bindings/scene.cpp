@@ -126,7 +126,16 @@ void bind_edge_certificate(py::module_& m) {
           "out of the band.")
       .def_readonly("unit", &Doubt::unit, "Unit of `amount`: m or rad.")
       .def("__str__", &Doubt::text)
-      .def("__repr__", [](const Doubt& self) { return "<Doubt '" + self.text() + "'>"; });
+      .def("__repr__", [](const Doubt& self) { return "<Doubt '" + self.text() + "'>"; })
+      .def(py::pickle(
+          [](const Doubt& self) {
+            return std::make_tuple(self.segment, self.row, self.t, self.verdict, self.condition,
+                                   self.amount, self.unit);
+          },
+          [](const std::tuple<std::string, std::size_t, double, scene::Verdict, std::string, double,
+                              std::string>& state) {
+            return std::apply([](const auto&... field) { return Doubt{field...}; }, state);
+          }));
   py::class_<EdgeCertificate>(
       m, "EdgeCertificate",
       "Result of a proof over the edges of a plan: straight motions in joint space from row to "
@@ -139,10 +148,16 @@ void bind_edge_certificate(py::module_& m) {
       .def_property_readonly("num_certified", &EdgeCertificate::num_certified,
                              "Number of edges without a doubt.")
       .def_readonly("doubts", &EdgeCertificate::doubts, "Doubts in the order of the edges.")
-      .def("__repr__", [](const EdgeCertificate& self) {
-        return "<EdgeCertificate of " + std::to_string(self.num_certified()) + " of " +
-               std::to_string(self.num_edges) + " edges>";
-      });
+      .def("__repr__",
+           [](const EdgeCertificate& self) {
+             return "<EdgeCertificate of " + std::to_string(self.num_certified()) + " of " +
+                    std::to_string(self.num_edges) + " edges>";
+           })
+      .def(py::pickle(
+          [](const EdgeCertificate& self) { return std::make_pair(self.num_edges, self.doubts); },
+          [](const std::pair<std::size_t, std::vector<Doubt>>& state) {
+            return EdgeCertificate{state.first, state.second};
+          }));
 }
 
 }  // namespace

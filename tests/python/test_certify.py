@@ -3,6 +3,7 @@
 """Certificates of plans of all kinds, and `graspless check --certify`."""
 
 import json
+import pickle
 
 import pytest
 
@@ -86,6 +87,11 @@ def test_a_touch_between_the_rows_is_refuted(plan):
     assert 0 <= doubt.t <= 1
     assert doubt.unit == "m"
     assert certificate.num_certified < certificate.num_edges
+    made = pickle.loads(pickle.dumps(certificate))
+    assert (repr(made), *map(str, made.doubts)) == (
+        repr(certificate),
+        *map(str, certificate.doubts),
+    )
 
 
 def test_command_line(plan, tmp_path, capsys):

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a depth image to a scene file, a picture and a checked plan; and edges that are usable."""
 
+import copy
 import json
+import pickle
 import re
 
 import numpy as np
@@ -94,6 +96,18 @@ def test_obstacles_of_a_scene_are_chosen(folder):
     assert names("objects") == seen
     unseen = names("unseen")
     assert unseen[:3] == [*seen, "unseen 0"]
+
+
+def test_a_scene_is_pickled_and_copied(folder, tmp_path):
+    scene = perception.load_scene(folder / "scene.yaml")
+    scene.stamp = 5.0
+    files = []
+    for made in (scene, pickle.loads(pickle.dumps(scene)), copy.deepcopy(scene)):
+        perception.save_scene(made, tmp_path / "made.yaml")
+        files.append([(tmp_path / f"made.{end}").read_bytes() for end in ("yaml", "npz")])
+    assert files[0] == files[1] == files[2]
+    ends = [thing.rays[0].ends.tobytes() for thing in pickle.loads(pickle.dumps(scene)).objects]
+    assert ends == [thing.rays[0].ends.tobytes() for thing in scene.objects]
 
 
 def test_other_objects_get_a_padding(folder):

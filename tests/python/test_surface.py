@@ -169,6 +169,21 @@ def test_plans_and_tasks_are_pickled_copied_and_compared(plan):
     assert json.loads(other.to_json())["reason"] == "another"
 
 
+def test_options_and_counters_are_pickled_and_copied():
+    stability = clasp.StabilityOptions(force=3.0)
+    for given in (
+        slide.Options(search=slide.Search.paper, min_depth=0.001),
+        clasp.Options(must_be_secure=False, stability=stability),
+        fingertip.Options(threads=2),
+        slide.Statistics(seconds=0.5, refusals={"goal: reach": 3}),
+        slide.Hand(fingers=["a", "b"], finger_model=slide.FingerModel.none),
+    ):
+        for made in (pickle.loads(pickle.dumps(given)), copy.deepcopy(given)):
+            assert type(made) is type(given)
+            assert made is not given
+            assert repr(made) == repr(given)
+
+
 def test_plans_without_a_task_are_compared():
     assert slide.Plan() == slide.Plan()
     assert slide.Plan() != clasp.Plan()

@@ -139,6 +139,8 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -283,6 +285,8 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     def as_dict(self) -> dict[str, typing.Any]:

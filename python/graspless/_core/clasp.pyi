@@ -22,6 +22,8 @@ class CurveNode:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -48,6 +50,8 @@ class Finger:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -77,6 +81,8 @@ class Hand:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -324,6 +330,8 @@ class StabilityOptions:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -434,6 +442,8 @@ class Stability:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -492,6 +502,8 @@ class Pinch:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -581,6 +593,8 @@ class CertificateOptions:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -624,6 +638,8 @@ class Certificate:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -703,6 +719,8 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -864,6 +882,8 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     def as_dict(self) -> dict[str, typing.Any]:

@@ -197,6 +197,8 @@ class Fingers:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -274,6 +276,8 @@ class Lattice:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -324,6 +328,8 @@ class Goal:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -441,6 +447,8 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -597,6 +605,8 @@ class FingerState:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -655,6 +665,8 @@ class Row:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -768,6 +780,8 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
@@ -878,6 +892,8 @@ class Relaxation:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -1044,6 +1060,8 @@ class Carrier:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -1083,6 +1101,8 @@ class RealizeOptions:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -1216,6 +1236,8 @@ class Realization:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property

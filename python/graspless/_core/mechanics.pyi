@@ -325,6 +325,8 @@ class ContactPatches:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -373,6 +375,8 @@ class Stability:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -413,6 +417,8 @@ class ControlModes:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -500,6 +506,8 @@ class Compliance:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -582,6 +590,8 @@ class Surfaces:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -612,6 +622,8 @@ class FrictionVerdict:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property

@@ -108,6 +108,8 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -234,6 +236,8 @@ class View:
         """
         depth: (H, W) depths along the optical axis [m]; 0 or not finite: none. K: (3, 3) camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z forward.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -261,6 +265,8 @@ class Support:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -313,6 +319,8 @@ class Object:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -389,6 +397,8 @@ class Unseen:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -413,6 +423,8 @@ class Scene:
         """
         Any field by keyword.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property

@@ -21,7 +21,11 @@ class Doubt:
     """
     An edge of a plan that is not proven. str() is one sentence.
     """
+    def __getstate__(self) -> tuple[str, int, float, Verdict, str, float, str]:
+        ...
     def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: tuple[str, typing.SupportsInt | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex, Verdict, str, typing.SupportsFloat | typing.SupportsIndex, str]) -> None:
         ...
     def __str__(self) -> str:
         ...
@@ -68,11 +72,15 @@ class EdgeCertificate:
         """
         True if every edge is proven.
         """
+    def __getstate__(self) -> tuple[int, list[Doubt]]:
+        ...
     def __init__(self) -> None:
         """
         A certificate of no edges.
         """
     def __repr__(self) -> str:
+        ...
+    def __setstate__(self, arg0: tuple[typing.SupportsInt | typing.SupportsIndex, collections.abc.Sequence[Doubt]]) -> None:
         ...
     @property
     def doubts(self) -> list[Doubt]:

@@ -206,6 +206,8 @@ class Hand:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -419,6 +421,8 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -731,6 +735,8 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     def as_dict(self) -> dict[str, typing.Any]:
@@ -871,6 +877,8 @@ class Tube:
         """
         Sets any field by keyword; the others are empty.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
@@ -1007,6 +1015,8 @@ class Turning:
         """
         Sets any field by keyword; the others are zero.
         """
+    def __reduce__(self) -> tuple[typing.Any, tuple]:
+        ...
     def __repr__(self) -> str:
         ...
     @property
