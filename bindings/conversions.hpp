@@ -161,11 +161,12 @@ std::string represent(const py::handle& self, const std::vector<const char*>& na
 /// the constructor takes by keyword.
 template <class Class>
 void bind_pickling(Class& cls, std::vector<const char*> names) {
+  using Tuple = py::typing::Tuple<py::object, py::ellipsis>;
   cls.def("__reduce__", [names = std::move(names)](const py::object& self) {
     py::dict given;
     for (const char* name : names) given[name] = self.attr(name);
     const py::object make = py::module_::import("functools").attr("partial");
-    return py::make_tuple(make(py::type::of(self), **given), py::tuple());
+    return Tuple(py::make_tuple(make(py::type::of(self), **given), py::tuple()));
   });
 }
 

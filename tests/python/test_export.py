@@ -42,6 +42,29 @@ def exported(name, path, to, **settings):
     return graspless.export(planned(name), path, to, rate=RATE, **settings)
 
 
+def test_a_trajectory_is_written_as_it_is(tmp_path):
+    planned_anew = exported("slide", tmp_path / "plan.csv", "csv")
+    trajectory = graspless.time(planned("slide"), rate=RATE)
+    for to in HERE:
+        ending = ENDINGS[to][0] if ENDINGS[to] else ""
+        assert graspless.export(trajectory, tmp_path / f"own{ending}", to) is trajectory
+        if to in ("ros", "csv", "mujoco", "json"):
+            exported("slide", tmp_path / f"plan{ending}", to)
+            written = [(tmp_path / f"{name}{ending}").read_text() for name in ("own", "plan")]
+            assert written[0] == written[1]
+    slower = trajectory.at(np.linspace(0.0, trajectory.duration, 7))
+    assert len(graspless.export(slower, tmp_path / "few.csv", "csv")) == 7
+    assert len((tmp_path / "few.csv").read_text().splitlines()) == 8
+    arm = graspless.export(trajectory, tmp_path / "arm.csv", "csv", group="arm")
+    assert arm.joint_names == planned_anew.joint_names[:7]
+    with pytest.raises(TaskError, match="plan: a Trajectory of a group; mujoco holds the whole"):
+        graspless.export(arm, tmp_path / "arm.xml", "mujoco")
+    with pytest.raises(TaskError, match="rate: must not be given with a Trajectory"):
+        graspless.export(trajectory, tmp_path / "own.csv", "csv", rate=5)
+    with pytest.raises(TaskError, match="max_jerk: must not be given with a Trajectory"):
+        graspless.export(trajectory, tmp_path / "own.csv", "csv", max_jerk=5.0)
+
+
 def test_csv_is_a_table_with_one_line_of_names(tmp_path):
     trajectory = exported("slide", tmp_path / "plan.csv", "csv")
     with (tmp_path / "plan.csv").open() as file:

@@ -139,7 +139,7 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -285,7 +285,7 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

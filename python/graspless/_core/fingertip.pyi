@@ -197,7 +197,7 @@ class Fingers:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -276,7 +276,7 @@ class Lattice:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -328,7 +328,7 @@ class Goal:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -447,7 +447,7 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -605,7 +605,7 @@ class FingerState:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -665,7 +665,7 @@ class Row:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -780,7 +780,7 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -892,7 +892,7 @@ class Relaxation:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -1060,7 +1060,7 @@ class Carrier:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -1101,7 +1101,7 @@ class RealizeOptions:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -1236,7 +1236,7 @@ class Realization:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

@@ -488,7 +488,7 @@ class RayImage:
         """
         ends: (H, W) depth at which the ray of each pixel ends, along the optical axis [m]. Negative: the ray ends on the object, at minus this depth. Infinite: it passes the object. 0: unknown. K: (3, 3) camera matrix of this image [pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's points, z forward. clear: (H, W) depth up to which a ray of unknown end met nothing [m]; 0: nobody knows.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -558,7 +558,7 @@ class LoopOptions:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -702,7 +702,7 @@ class ClaspTarget:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

@@ -325,7 +325,7 @@ class ContactPatches:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -375,7 +375,7 @@ class Stability:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -417,7 +417,7 @@ class ControlModes:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -506,7 +506,7 @@ class Compliance:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -590,7 +590,7 @@ class Surfaces:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -622,7 +622,7 @@ class FrictionVerdict:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

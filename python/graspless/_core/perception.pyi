@@ -108,7 +108,7 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -236,7 +236,7 @@ class View:
         """
         depth: (H, W) depths along the optical axis [m]; 0 or not finite: none. K: (3, 3) camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z forward.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -265,7 +265,7 @@ class Support:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -319,7 +319,7 @@ class Object:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -397,7 +397,7 @@ class Unseen:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -423,7 +423,7 @@ class Scene:
         """
         Any field by keyword.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

@@ -206,7 +206,7 @@ class Hand:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -421,7 +421,7 @@ class Options:
         """
         Any field by keyword; the others keep their defaults.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -735,7 +735,7 @@ class Statistics:
         """
         Any field by keyword; the others are zero.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -877,7 +877,7 @@ class Tube:
         """
         Sets any field by keyword; the others are empty.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...
@@ -1015,7 +1015,7 @@ class Turning:
         """
         Sets any field by keyword; the others are zero.
         """
-    def __reduce__(self) -> tuple[typing.Any, tuple]:
+    def __reduce__(self) -> tuple[typing.Any, ...]:
         ...
     def __repr__(self) -> str:
         ...

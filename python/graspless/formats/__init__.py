@@ -12,12 +12,11 @@ from .. import files
 from .._arguments import require_choice
 from ..errors import TaskError, missing
 from ..simulation import require_mujoco
-from ..timing import time
+from ..timing import Trajectory, time
 
 if TYPE_CHECKING:
     from .._plan import Plan
     from ..robot import Robot
-    from ..timing import Trajectory
 
 FORMATS = {
     "ros": "trajectory_msgs/JointTrajectory as YAML, for ros2 topic pub --yaml-file",
@@ -53,7 +52,7 @@ class Format(Protocol):
 
 
 def export(
-    plan: Plan | str | Path,
+    plan: Plan | Trajectory | str | Path,
     path: str | Path,
     to: str,
     *,
@@ -66,8 +65,9 @@ def export(
 
     Parameters
     ----------
-    plan : Plan, str or Path
-        A solved plan, or the path of its file. It is not checked: `check` does that.
+    plan : Plan, Trajectory, str or Path
+        A solved plan, or the path of its file. It is not checked: `check` does that. Or a result of
+        `time`, which is written as it is: rate, robot and limits must not be given with it.
     path : str or Path
         The file; written whole or not at all. `mcap`: without the ending .mcap, a new folder.
         `drake`: a new folder. An ending of another format is refused.
@@ -106,7 +106,7 @@ def export(
 
 
 def text(
-    plan: Plan | str | Path,
+    plan: Plan | Trajectory | str | Path,
     to: str,
     *,
     rate: float | None = None,
@@ -124,11 +124,16 @@ def text(
     return trajectory, writer.text(trajectory)
 
 
-def _timed(plan: Plan | str | Path, to: str, group: str | None, **settings: Any) -> Trajectory:
+def _timed(plan: Any, to: str, group: str | None, **settings: Any) -> Trajectory:
     """Returns the timed plan, for all joints or those of a group."""
     if group is not None and to in SCENES:
         raise TaskError(f"group: {group}: {to} holds the whole robot")
-    trajectory = time(plan, **settings)
+    trajectory = plan if isinstance(plan, Trajectory) else time(plan, **settings)
+    given = [name for name, value in settings.items() if value is not None]
+    if trajectory is plan and given:
+        raise TaskError(f"{given[0]}: must not be given with a Trajectory, which is timed already")
+    if trajectory is plan and to in SCENES and trajectory.is_of_group:
+        raise TaskError(f"plan: a Trajectory of a group; {to} holds the whole robot")
     return trajectory if group is None else trajectory.of_group(group)
 
 

@@ -93,6 +93,12 @@ class Trajectory:
         return float(self.times[-1])
 
     @property
+    def is_of_group(self) -> bool:
+        """True if it has the joints of a group alone, not those of the whole robot."""
+        robot = robot_of(self.plan)
+        return robot is not None and 0 < len(self.joint_names) < robot.dof
+
+    @property
     def start(self) -> dict[str, float]:
         """Start configuration by joint [rad or m]."""
         return dict(zip(self.joint_names, self.positions[0].tolist(), strict=True))
