@@ -28,6 +28,9 @@ constexpr std::size_t kTried = 3;  // the best of them
 /// clouds of all sides at most 0.77.
 constexpr double kNearlyAll = 0.82;
 constexpr double kSmooth = 0.15;  // roughness up to which hidden points are told
+/// Roughness that noise as large as the spacing makes. Rods and rims that are thinner than the
+/// spacing are rougher, and noise leaves no surface to look at.
+constexpr double kNoSurface = 0.65;
 constexpr Eigen::Index kNeighbours = 13;
 /// Part of the roughness that is left among twice as many neighbours, at most, if noise makes it.
 /// Thin rods and rings are rougher there.
@@ -157,7 +160,8 @@ bool is_one_sided(const Eigen::Matrix3Xd& points) {
   if (cloud.directions.empty()) return false;
   if (cloud.is_seen()) return true;
   const double rough = roughness(points, kNeighbours);
-  if (rough <= kSmooth || roughness(points, 2 * kNeighbours) > kFalls * rough) return false;
+  if (rough <= kSmooth || rough >= kNoSurface) return false;
+  if (roughness(points, 2 * kNeighbours) > kFalls * rough) return false;
   // Points that noise lifts hide those around them. Fewer points lie farther apart.
   const double share = std::pow(kSmooth / rough, 2);
   const int count =

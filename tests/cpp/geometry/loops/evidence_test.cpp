@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graspless/clasp/sample_objects.hpp"
 #include "graspless/geometry/sampling.hpp"
 
 #include "complaint.hpp"
@@ -282,6 +283,33 @@ TEST(OneSided, NoiseDoesNotMakeTheLoopsOfOneViewHoles) {
       EXPECT_TRUE(is_one_sided(rough(one, part, seed))) << part << " " << seed;
       EXPECT_FALSE(is_one_sided(rough(all, part, seed))) << part << " " << seed;
     }
+  }
+}
+
+/// The cloud without the points in three balls.
+Eigen::Matrix3Xd patchy(const Eigen::Matrix3Xd& points, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<Eigen::Index> any(0, points.cols() - 1);
+  const double radius = 3 * spacing(points);
+  Eigen::Array<bool, 1, Eigen::Dynamic> stays = Eigen::ArrayXXd::Zero(1, points.cols()) == 0;
+  for (int ball = 0; ball < 3; ++ball) {
+    const Eigen::Vector3d middle = points.col(any(random));
+    stays = stays && (points.colwise() - middle).colwise().norm().array() > radius;
+  }
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (stays[i]) kept.push_back(i);
+  return points(Eigen::all, kept);
+}
+
+/// Neighbourhoods of 13 points go around the rods of a chair.
+TEST(OneSided, RodsThatAreThinnerThanTheSpacingAreNoNoise) {
+  const std::vector<PlacedShape> chair = clasp::sample_object("chair");
+  for (const int count : {1000, 1500, 2000}) {
+    const Eigen::Matrix3Xd cloud = sample_surface(chair, count);
+    EXPECT_FALSE(is_one_sided(cloud)) << count;
+    for (unsigned seed = 1; seed <= 5; ++seed)
+      EXPECT_FALSE(is_one_sided(patchy(cloud, seed))) << count << " " << seed;
   }
 }
 
