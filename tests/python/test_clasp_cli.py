@@ -123,7 +123,7 @@ def test_cloud_without_a_hole_exits_1(tmp_path, monkeypatch, capsys):
         (["none.stl"], "none.stl: "),
         (
             ["a.txt"],
-            "a.txt: unknown kind of file (one of: .ply, .pcd, .xyz, .stl, .obj, .off, .yaml, .yml)",
+            "a.txt: unknown kind of file (one of: .ply, .pcd, .xyz, .npy, .stl, .obj, .off, .yaml, .yml)",
         ),
         (["few.xyz"], "few.xyz: "),
         (["nan.xyz"], "nan.xyz: 30 of 30 points are not finite"),

@@ -110,8 +110,9 @@ class Reader:
             assert re.search(pattern, self.shown), f"{where}: {line!r} is not in\n{self.shown}"
 
 
-for kind in ("slide", "fingertip", "clasp.hand", "carry", "chain"):  # or models() misses some
-    importlib.import_module(f"graspless.tasks.{kind}")
+KINDS = ("slide", "fingertip", "clasp.hand", "carry", "chain")
+for room in (*(f"tasks.{kind}" for kind in KINDS), "perception.view_files"):
+    importlib.import_module(f"graspless.{room}")  # or models() misses some
 
 
 def models(base=Fields):
