@@ -16,8 +16,9 @@ namespace graspless {
 struct GRASPLESS_API Stop {};
 
 /// Calls `check` from poll() on the thread that made it, at most every 3 ms, while it lives. The
-/// check ends the work by throwing Stop. Watches nest: poll() calls the
-/// checks of all.
+/// check ends the work by throwing Stop, which plan() passes on. It must not call graspless, whose
+/// work may hold a lock. Watches nest: poll() calls the checks of all. The last one that was made
+/// must be destroyed first.
 class GRASPLESS_API Watch {
  public:
   explicit Watch(std::function<void()> check);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "collision/bounds.hpp"
 #include "scene/bands.hpp"
 #include "scene/rows.hpp"
 
@@ -195,8 +196,8 @@ std::vector<std::string> shape_faults(const Problem& problem, const Plan& plan,
       faults.push_back(segment.name + ": must have rows, and one object pose for each row");
     for (std::size_t row = 0; faults.empty() && row < segment.positions.size(); ++row) {
       const VectorXd& q = segment.positions[row];
-      const bool sound = q.size() == problem.robot.dof() && q.allFinite() &&
-                         segment.object_poses[row].matrix().allFinite();
+      const bool sound = robot::is_configuration(problem.robot, q) &&
+                         collision::is_pose(segment.object_poses[row]);
       if (!sound) {
         faults.push_back(segment.name + " row " + std::to_string(row) +
                          ": has the wrong size or a value that is not finite");

@@ -14,8 +14,7 @@ namespace {
 // Squared sine of the angle below which two segments count as parallel.
 constexpr double kParallel = 1e-12;
 
-// No entry of a rotation is larger, rounding included.
-constexpr double kMaxCosine = 1 + 1e-6;
+constexpr double kOff = 1e-6;  // of the products of a rotation's columns, rounding included
 
 double exact_bound(const Core& a, const Placement& at_a, const Core& b, const Placement& at_b,
                    const Eigen::Vector3d& shift_W) {
@@ -30,8 +29,10 @@ double clamp_to_segment(double t) { return std::clamp(t, -1.0, 1.0); }
 }  // namespace
 
 bool is_pose(const Eigen::Isometry3d& X) {
+  const Eigen::Vector3d x = X.linear().col(0), y = X.linear().col(1), z = X.linear().col(2);
   return (X.translation().array().abs() <= geometry::kMaxLength).all() &&
-         (X.linear().array().abs() <= kMaxCosine).all();
+         std::abs(x.squaredNorm() - 1) <= kOff && std::abs(y.squaredNorm() - 1) <= kOff &&
+         std::abs(x.dot(y)) <= kOff && (x.cross(y) - z).squaredNorm() <= kOff * kOff;
 }
 
 void require_pose(const Eigen::Isometry3d& X, const std::string& what) {

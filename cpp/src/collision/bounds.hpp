@@ -24,8 +24,8 @@ struct Placement {
   Eigen::Vector3d half_W = Eigen::Vector3d::Zero();
 };
 
-/// True if X is finite, its translation is at most geometry::kMaxLength, and no entry of its
-/// rotation exceeds 1. Cheap enough for every pose that a search tries.
+/// True if X is rigid and finite, and its translation is at most geometry::kMaxLength along each
+/// axis. Cheap enough for every pose that a search tries.
 bool is_pose(const Eigen::Isometry3d& X);
 
 /// Throws std::invalid_argument that names `what` unless is_pose(X).

@@ -123,6 +123,7 @@ std::vector<Eigen::Vector3d> places_in(const Plan& plan, std::size_t segment) {
 
 void require_plan(const Problem& problem, const Plan& plan, int segment) {
   if (!plan) throw std::invalid_argument("plan is " + to_string(plan.status) + ", not solved");
+  if (plan.segments.empty()) throw std::invalid_argument("plan has no segments");
   if (segment < 0 || segment >= static_cast<int>(plan.segments.size())) {
     throw std::invalid_argument("segment must be 0 to " + std::to_string(plan.segments.size() - 1) +
                                 ", not " + std::to_string(segment));

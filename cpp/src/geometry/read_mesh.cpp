@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// In a file of its own because CGAL's readers are slow to compile.
+// In a file of its own because CGAL's reader is slow to compile.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
-#include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -20,6 +20,7 @@
 #include "graspless/watch.hpp"
 
 #include "geometry/polygon/cgal_polygon.hpp"
+#include "geometry/read_obj.hpp"
 #include "geometry/read_off.hpp"
 #include "geometry/read_ply.hpp"
 
@@ -71,7 +72,7 @@ std::string extension_of(const std::string& path) {
 
 thread_local std::size_t file_size = 0;  // of the file that CGAL reads [bytes]
 
-/// A vector for CGAL's readers, which reserve memory for the numbers that a file states. Every
+/// A vector for CGAL's reader, which reserves memory for the numbers that a file states. Every
 /// element takes at least a byte, so a number above the file's size is wrong.
 template <typename T>
 struct Bounded : std::vector<T> {
@@ -83,35 +84,6 @@ struct Bounded : std::vector<T> {
     std::vector<T>::resize(size);
   }
 };
-
-/// Reads a line; a backslash at its end continues it.
-bool read_line(std::istream& file, std::string& line) {
-  if (!std::getline(file, line)) return false;
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  for (std::string more; !line.empty() && line.back() == '\\' && std::getline(file, more);) {
-    line.back() = ' ';
-    line += more;
-    if (line.back() == '\r') line.pop_back();
-  }
-  return true;
-}
-
-/// Returns the vertices and faces of a .obj file. CGAL refuses elements that it does not know, like
-/// lines, and does not end a corner of a face at a tab.
-std::stringstream surface_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream surface;
-  for (std::string line; read_line(file, line);) {
-    poll();
-    const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
-    const bool is_kept = (line[first] == 'v' || line[first] == 'f') &&
-                         (line[first + 1] == ' ' || line[first + 1] == '\t');
-    if (!is_kept) continue;
-    std::replace(line.begin(), line.end(), '\t', ' ');
-    surface << line << '\n';
-  }
-  return surface;
-}
 
 std::string text_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -127,15 +99,22 @@ bool is_empty_stl(const std::string& path) {
   return has("endsolid") && !has("vertex");
 }
 
-PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) {
+PolygonSoup read_stl(const std::string& path) {
   Bounded<Point> points;
   Bounded<Bounded<std::size_t>> polygons;
   file_size = std::filesystem::file_size(path);
-  std::stringstream surface;
-  if (extension == ".obj") surface = surface_of(path);
-  const bool is_read = extension == ".obj" ? CGAL::IO::read_OBJ(surface, points, polygons)
-                                           : CGAL::IO::read_STL(path, points, polygons);
-  if (!is_read || (extension == ".stl" && polygons.empty() && !is_empty_stl(path))) {
+  bool is_read = false;
+  for (const bool is_binary : {true, false}) {  // CGAL looks at the text, too, unless told not to
+    if (is_read) break;
+    std::ifstream file(path, std::ios::binary);
+    file.imbue(std::locale::classic());  // a decimal point, whatever the program's locale
+    CGAL::IO::set_mode(file, is_binary ? CGAL::IO::BINARY : CGAL::IO::ASCII);
+    points.clear();
+    polygons.clear();
+    is_read =
+        CGAL::IO::read_STL(file, points, polygons, CGAL::parameters::use_binary_mode(is_binary));
+  }
+  if (!is_read || (polygons.empty() && !is_empty_stl(path))) {
     throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
   PolygonSoup soup;
@@ -146,8 +125,10 @@ PolygonSoup read_by_cgal(const std::string& path, const std::string& extension) 
 
 PolygonSoup read_soup(const std::string& path, const std::string& extension) {
   try {
-    if (extension == ".stl" || extension == ".obj") return read_by_cgal(path, extension);
-    const std::string text = text_of(path);
+    if (extension == ".stl") return read_stl(path);
+    std::ifstream file(path, std::ios::binary);
+    if (extension == ".obj") return read_obj(file);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
     return extension == ".off" ? read_off(text) : read_ply(text);
   } catch (const std::exception& error) {
     refuse_file(path, std::string("cannot be read: ") + error.what());

@@ -126,9 +126,13 @@ struct Grow {
 }  // namespace
 
 std::vector<PlacedShape> grown(const std::vector<PlacedShape>& shapes, double padding) {
+  if (!(padding >= 0 && padding <= kMaxLength))
+    throw std::invalid_argument("padding must lie in [0, 1e4] m, not " + std::to_string(padding));
   std::vector<PlacedShape> out;
-  for (const PlacedShape& placed : shapes)
+  for (const PlacedShape& placed : shapes) {
+    validate(placed.shape, "shapes");
     std::visit(Grow{padding, placed.X_BG, out}, placed.shape);
+  }
   return out;
 }
 

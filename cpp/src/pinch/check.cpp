@@ -9,6 +9,7 @@
 #include "graspless/pinch/pinch.hpp"
 #include "graspless/watch.hpp"
 
+#include "collision/bounds.hpp"
 #include "pinch/check_contacts.hpp"
 #include "pinch/jaw.hpp"
 #include "scene/edges.hpp"
@@ -90,9 +91,8 @@ class Examination {
       if (segment.positions.empty() || segment.positions.size() != segment.object_poses.size())
         fault(segment.name, "must have rows, and one object pose for each row");
       for (std::size_t i = 0; faults_.empty() && i < segment.positions.size(); ++i) {
-        const bool sound = segment.positions[i].size() == problem_.robot.dof() &&
-                           segment.positions[i].allFinite() &&
-                           segment.object_poses[i].matrix().allFinite();
+        const bool sound = robot::is_configuration(problem_.robot, segment.positions[i]) &&
+                           collision::is_pose(segment.object_poses[i]);
         if (!sound) fault(segment, i, "has the wrong size or a value that is not finite");
       }
     }

@@ -76,7 +76,8 @@ std::string Clock::reason() const {
 }
 
 std::string Clock::note() const {
-  const bool is_late = out_since_ && !interrupted_ && !out_of_memory_;
+  const bool is_done = refused_ && iterations_ >= budget_.iterations;
+  const bool is_late = out_since_ && !interrupted_ && !out_of_memory_ && !is_done;
   return is_late ? "; the time limit ended the search" : "";
 }
 

@@ -45,10 +45,9 @@ void check_row(const Row& row, std::size_t segment, std::size_t fingers) {
     throw malformed(segment, "has a row of " + std::to_string(row.fingers.size()) +
                                  " fingers instead of " + std::to_string(fingers));
   for (const FingerState& finger : row.fingers) {
-    const bool is_sound = finger.p_OC.allFinite() && std::abs(finger.n_O.norm() - 1) < 1e-3;
-    if (!is_sound)
-      throw malformed(segment, "has a contact point that is not finite or a normal of length " +
-                                   figure(finger.n_O.norm()));
+    if (!finger.p_OC.allFinite()) throw malformed(segment, "has a contact that is not finite");
+    if (!(std::abs(finger.n_O.norm() - 1) < 1e-3))
+      throw malformed(segment, "has a normal of length " + figure(finger.n_O.norm()) + ", not 1");
   }
 }
 

@@ -253,4 +253,11 @@ void require_configuration(const Robot& robot, const VectorXd& q, const std::str
   }
 }
 
+bool is_configuration(const Robot& robot, const VectorXd& q) {
+  constexpr double kFar = 1000;  // keeps links within geometry::kMaxLength [m]
+  if (q.size() != robot.dof() || !q.allFinite()) return false;
+  const auto slides = robot.step_weights().array() > 1;
+  return (!slides || q.array().abs() <= kFar).all();
+}
+
 }  // namespace graspless::robot

@@ -201,6 +201,14 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   EXPECT_NE(complaint([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("10000"),
             std::string::npos);
   EXPECT_NE(complaint([&] { world.set_pose(-1, broken); }).find("-1"), std::string::npos);
+  Isometry3d sheared = Isometry3d::Identity();
+  sheared(0, 1) = 1e-3;
+  Isometry3d mirrored = Isometry3d::Identity();
+  mirrored(0, 0) = -1;
+  Isometry3d shrunk = Isometry3d::Identity();
+  shrunk.linear() = Eigen::Quaterniond(0.5, 0, 0, 0.5).toRotationMatrix();  // its length is not 1
+  for (const Isometry3d& X : {sheared, mirrored, shrunk})
+    EXPECT_NE(complaint([&] { world.set_pose(0, X); }).find("a rotation"), std::string::npos);
   EXPECT_NE(complaint([&] {
               world.add_body("d", {{geometry::Sphere{1}, broken}});
             }).find("X_BG"),

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "complaint.hpp"
+#include "other_locale.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -284,6 +285,34 @@ TEST_F(ReadMesh, TellsAnEmptyStlFromADamagedOne) {
         "endloop\nendfacet\nendsolid a\n"})
     EXPECT_NE(error_of_file(write("text.stl", text)).find("it is damaged, or its format"),
               std::string::npos);
+}
+
+TEST_F(ReadMesh, ReadsDecimalPointsUnderAnyLocale) {
+  const std::string obj = "v 0.125 -1.000 2.5e-1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string stl =
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0.125 -1.000 2.5e-1\nvertex 1 0 0\n"
+      "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+  const OtherLocale comma;
+  for (const std::string& path : {write("decimal.obj", obj), write("decimal.stl", stl)}) {
+    const Mesh mesh = read_mesh(path);
+    ASSERT_EQ(mesh.vertices.cols(), 3) << path;
+    EXPECT_EQ(mesh.vertices.col(0), Eigen::Vector3d(0.125, -1, 0.25)) << path;
+  }
+}
+
+TEST_F(ReadMesh, NamesTheLineOfAnObj) {
+  const std::string corners = "# made\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  EXPECT_NE(error_of_file(write("a.obj", corners + "v 1 2\n"))
+                .find("line 5: '' is not a number; a vertex has three"),
+            std::string::npos);
+  for (const std::string face : {"f 1 2 x", "f 1 2 0", "f 1 2 -4", "f 1 2 1.5", "f 1 2 /3"}) {
+    const std::string error = error_of_file(write("f.obj", corners + face + "\n"));
+    EXPECT_NE(error.find("line 5: '" + face.substr(6) + "' is not a corner of a face"),
+              std::string::npos)
+        << error;
+  }
+  EXPECT_EQ(read_mesh(write("c.obj", corners + "f 1/1/1 2//2 \\\n -1 # all\n")).triangles,
+            Eigen::Vector3i(0, 1, 2));
 }
 
 TEST_F(ReadMesh, RefusesCoordinatesThatAreNotFinite) {

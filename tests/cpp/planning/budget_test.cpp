@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "graspless/watch.hpp"
+
 namespace graspless::planning {
 namespace {
 
@@ -58,6 +60,27 @@ TEST(Budget, EndsWorkThatOnlyPolls) {
   }));
   EXPECT_GE(clock.seconds(), 0.01);
   EXPECT_EQ(clock.reason(), "the time was over before the search could begin or end");
+}
+
+TEST(Budget, PassesOnWhatAWatchOfTheCallerStops) {
+  Clock clock(Budget{});
+  const Watch watch([] { throw Stop{}; });
+  EXPECT_THROW(clock.run([] {
+    for (;;) poll();
+  }),
+               Stop);
+}
+
+TEST(Budget, TheTimeEndsNoSearchWhoseIterationsAreSpent) {
+  Budget budget;
+  budget.seconds = 0.02;
+  budget.iterations = 2;
+  Clock clock(budget);
+  while (clock.spend()) {
+  }
+  while (!clock.is_out()) {
+  }
+  EXPECT_EQ(clock.note(), "");
 }
 
 TEST(Budget, GivesMoreTimeToWhatConcludes) {

@@ -93,6 +93,22 @@ TEST(Robot, StepsAreBetweenConfigurationsOfAllJoints) {
   EXPECT_THROW(robot.step(VectorXd::Zero(9), q), std::invalid_argument);
 }
 
+TEST(Robot, ConfigurationsAreFiniteAndLeaveLinksInTheWorld) {
+  VectorXd q = wam().state("home");
+  q[0] = 1e9;  // an angle
+  EXPECT_TRUE(is_configuration(wam(), q));
+  q[0] = NAN;
+  EXPECT_FALSE(is_configuration(wam(), q));
+  EXPECT_FALSE(is_configuration(wam(), VectorXd::Zero(3)));
+  const Robot slider = Robot::from_urdf(
+      "<robot name='slider'><link name='base'/><link name='cart'/>"
+      "<joint name='rail' type='prismatic'><parent link='base'/><child link='cart'/>"
+      "<limit lower='0' upper='1' effort='1' velocity='1'/></joint></robot>",
+      {});
+  EXPECT_TRUE(is_configuration(slider, VectorXd::Constant(1, 1000)));
+  EXPECT_FALSE(is_configuration(slider, VectorXd::Constant(1, -1001)));
+}
+
 /// KDL's own chain and solver, built from urdfdom alone.
 Isometry3d kdl_pose(const urdf::ModelInterface& urdf, const std::string& link,
                     const std::map<std::string, double>& values) {

@@ -25,7 +25,8 @@ struct Budget {
   std::int64_t iterations = std::numeric_limits<std::int64_t>::max();
   std::uint64_t seed = 1;
   /// Ends the query when it returns true. Called at once, then at most every 4 ms and before large
-  /// allocations, from the thread that plans.
+  /// allocations, from the thread that plans. It must not call graspless: the query may hold a lock
+  /// that such a call would wait for.
   std::function<bool()> interrupted = {};
 };
 
@@ -66,6 +67,7 @@ class GRASPLESS_API Clock {
       work();
       return true;
     } catch (const Stop&) {
+      if (!out_since_) throw;  // of a Watch of the caller
     } catch (const std::bad_alloc&) {
       out_of_memory_ = true;
     }

@@ -135,4 +135,8 @@ class GRASPLESS_API Robot {
 GRASPLESS_API void require_configuration(const Robot& robot, const Eigen::VectorXd& q,
                                          const std::string& field);
 
+/// True if q has a finite value for every joint, for sliding joints of at most 1000 m, whatever the
+/// limits.
+GRASPLESS_API bool is_configuration(const Robot& robot, const Eigen::VectorXd& q);
+
 }  // namespace graspless::robot

@@ -21,6 +21,10 @@ namespace graspless::slide {
 /// only. Its frame O has z up, the underside in the plane z = 0.
 class GRASPLESS_API Object {
  public:
+  /// A copy shares the points. Moving copies, so that no object is left empty.
+  Object(const Object&) = default;
+  Object& operator=(const Object&) = default;
+
   /// Creates an object from its outline in O's x-y plane [m] and its thickness [m]. The contact
   /// points form a grid of `spacing` [m]. The centre of mass is the centroid of the outline, at
   /// half the thickness. Throws std::invalid_argument unless it is thin.

@@ -90,7 +90,7 @@ bool PlanChecker::has_sound_rows(const Segment& segment) {
   for (std::size_t row = 0; row < segment.positions.size(); ++row) {
     poll();
     const Eigen::VectorXd& q = segment.positions[row];
-    if (q.size() == problem_.robot.dof() && q.allFinite()) continue;
+    if (robot::is_configuration(problem_.robot, q)) continue;
     fault(at(segment, row), "has the wrong size or a value that is not finite");
     return false;
   }

@@ -3,6 +3,7 @@
 //
 // Reads the description of a hand from YAML. validate() checks it against the robot.
 #include <cmath>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "graspless/clasp/hand.hpp"
 
 #include "geometry/read_text.hpp"
+#include "geometry/words.hpp"
 
 namespace graspless::clasp {
 namespace {
@@ -104,10 +106,9 @@ class HandReader {
   }
 
   double read_number(const YAML::Node& node, const std::string& field) const {
-    double value = 0;
-    if (node.IsScalar() && YAML::convert<double>::decode(node, value) && std::isfinite(value)) {
-      return value;
-    }
+    const std::optional<double> value =  // yaml-cpp reads numbers by the program's locale
+        node.IsScalar() ? geometry::to_number(node.Scalar()) : std::nullopt;
+    if (value && std::isfinite(*value)) return *value;
     fail(node, field + " must be a finite number" +
                    (node.IsScalar() ? ", not '" + node.Scalar() + "'" : std::string()));
   }

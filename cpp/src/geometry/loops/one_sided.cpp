@@ -94,7 +94,7 @@ class DepthBuffer {
 };
 
 /// Deviation of the points from the planes of their neighbourhoods, as a part of that along them:
-/// 0.05 on a smooth surface, 0.5 if noise is as large as the spacing. A median.
+/// 0.05 on a smooth surface, 0.5 with noise of half the spacing. A median.
 double roughness(const Eigen::Matrix3Xd& points, Eigen::Index neighbours) {
   constexpr Eigen::Index kLooks = 100;
   const Eigen::Index n = points.cols(), count = std::min(neighbours, n);

@@ -88,16 +88,16 @@ bool Examination::has_shape() {
       fault(s.name, "must have rows, and one object pose for each row");
     }
     for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
-      const bool sound = s.positions[i].size() == problem_.robot.dof() &&
-                         s.positions[i].allFinite() && collision::is_pose(s.object_poses[i]);
+      const bool sound = robot::is_configuration(problem_.robot, s.positions[i]) &&
+                         collision::is_pose(s.object_poses[i]);
       if (!sound) fault(s, i, "has the wrong size, a value that is not finite, or no pose");
     }
   }
   if (!collision::is_pose(plan_.X_WO_goal) || !collision::is_pose(plan_.X_WH_grasp)) {
     fault("plan", "X_WO_goal or X_WH_grasp is no pose within 1e4 m");
   }
-  if (plan_.resumed && !(plan_.resumed->q.size() == problem_.robot.dof() &&
-                         plan_.resumed->q.allFinite() && collision::is_pose(plan_.resumed->X_WO))) {
+  if (plan_.resumed && !(robot::is_configuration(problem_.robot, plan_.resumed->q) &&
+                         collision::is_pose(plan_.resumed->X_WO))) {
     fault("resumed", "q has the wrong size or a value that is not finite, or X_WO is no pose");
   }
   return faults_.empty();

@@ -9,6 +9,7 @@
 
 #include "clasp/hands.hpp"
 #include "complaint.hpp"
+#include "other_locale.hpp"
 #include "paths.hpp"
 
 namespace graspless::clasp {
@@ -55,6 +56,15 @@ TEST(HandYaml, ReadsWhatItSays) {
   EXPECT_EQ(hand.thumb.name, "thumb");
   EXPECT_EQ(hand.thumb.nodes[1].link, "thumb_distal");
   EXPECT_EQ(hand.thumb.nodes[1].p_L, Eigen::Vector3d::Zero());
+}
+
+TEST(HandFile, HasDecimalPointsUnderAnyLocale) {
+  const Hand here = hand_from_yaml(kHand);
+  const OtherLocale comma;
+  const Hand there = hand_from_yaml(kHand);
+  EXPECT_EQ(there.forward_H, here.forward_H);
+  for (std::size_t i = 0; i < here.thumb.nodes.size(); ++i)
+    EXPECT_EQ(there.thumb.nodes[i].p_L, here.thumb.nodes[i].p_L);
 }
 
 TEST(HandYaml, ReadsSeveralPreShapes) {
