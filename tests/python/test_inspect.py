@@ -473,6 +473,21 @@ def test_command_tells_faults_of_its_own_files(tmp_path, capsys, monkeypatch):
     assert json.loads(capsys.readouterr().out)["faults"] == told
 
 
+@pytest.mark.parametrize(
+    "hand",
+    [
+        small.three_fingers().replace("0.09 0.1 0.04", "0.05 0.1 0.04"),
+        small.split_palm("opposed_near_joint").replace("0.02 0.02 0.04", "0.02 0.05 0.04"),
+    ],
+)
+def test_corners_of_joints_beside_the_palm_lie_in_it(tmp_path, capsys, monkeypatch, hand):
+    """Of the second one, a part of the palm moves, and its fingers begin 10 mm above it."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.urdf").write_text(small.gripper(hand=hand))
+    assert cli.main(["robot", "inspect", "mine.urdf"]) == 0, capsys.readouterr().out
+    assert cli.main(["robot", "check", "mine/mine.urdf"]) == 0
+
+
 def test_command_as_json(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.urdf").write_text(small.gripper())

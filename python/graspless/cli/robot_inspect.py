@@ -111,6 +111,7 @@ def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
 
 def faults_of(robot: Robot, file: Path) -> list[str]:
     """Returns what is wrong with a file of a hand, for slides or for clasps."""
+    from .._core.clasp import hand_from_yaml_file
     from ..inspection import check
     from ..tasks.clasp.hand import Hand as ClaspHand
     from ..tasks.clasp.hand import build_hand as build_clasp_hand
@@ -121,7 +122,8 @@ def faults_of(robot: Robot, file: Path) -> list[str]:
     source = read_yaml(file)
     if "thumb" in source.given():
         fields = source.validate(ClaspHand)
-        return check.clasp_faults(robot, build_clasp_hand(fields, robot, source, ()))
+        build_clasp_hand(fields, robot, source, ())  # raises if it is not valid
+        return check.clasp_faults(robot, hand_from_yaml_file(str(file)))
     given = source.validate(Hand)
     return check.faults(robot, build_hand(given, robot, source), given.pitch)
 

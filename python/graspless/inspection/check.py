@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import collision, frames, geometry, scene
+from .. import geometry, scene
 from .._core import clasp, slide
 from .jaws import middle
 from .pairs import touching
+from .points import is_inside
 from .tree import Tree
 
 if TYPE_CHECKING:
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 NEAR = 0.003  # a fingertip frame is on the surface if it is nearer than this [m]
 BESIDE = 0.015  # a grasp frame is in the middle between the tips if it is nearer than this [m]
 ALONG = np.cos(np.radians(30))  # axes within this angle are right
-CORNER = 0.002  # a corner of a curve may be this far outside the shapes [m]
 REACH = 0.02  # length of the fingers' ends that are compared [m]
 
 
@@ -75,13 +75,14 @@ def _of_planner(robot: Robot, hand: slide.Hand, pitch: float | None) -> list[str
 def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
     """Returns what is wrong with a hand for clasps, which has passed clasp.validate().
 
-    Corners in links with meshes are not compared with them.
+    The hand is that of the file, without palm corners: parts of a palm may move in it. Corners in
+    links with meshes are not compared with them.
     """
     curves = {f"fingers.{finger.name}": finger for finger in hand.fingers} | {"thumb": hand.thumb}
     found = []
     for field, finger in curves.items():
         for number, node in enumerate(finger.nodes):
-            if not _is_inside(robot, node.link, np.asarray(node.p_L)):
+            if not is_inside(robot, node.link, np.asarray(node.p_L)):
                 found.append(f"{field}[{number}]: lies outside the collision shapes of {node.link}")
     links = [robot.frame(node.link) for finger in curves.values() for node in finger.nodes]
     tree = Tree(robot)
@@ -89,18 +90,6 @@ def clasp_faults(robot: Robot, hand: clasp.Hand) -> list[str]:
         field = f"open[{number}]" if hand.pre_shapes else "open"
         found += [f"{field}: {text}" for text in _of_open(tree, links, state)]
     return [*found, *_of_home(tree, hand.open)]
-
-
-def _is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
-    """True if a point is in a shape of a link, or the link has shapes that are only surfaces."""
-    shapes = [placed for index, placed in robot.shapes if robot.frame_names[index] == link]
-    if not shapes or any(isinstance(placed.shape, geometry.Mesh) for placed in shapes):
-        return True
-    world = collision.World()
-    world.add_body("link", shapes)
-    point = geometry.PlacedShape(geometry.Sphere(CORNER), frames.translation(p_L))
-    world.add_pair("link", world.add_body("corner", [point]))
-    return world.collides()
 
 
 class _Examined:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import frames
 from .fist import INSIDE
+from .points import is_inside, shape_points
 
 if TYPE_CHECKING:
     from ..frames import Matrix
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from .tips import Tip
     from .tree import Tree
 
+BESIDE = 0.02  # largest way of a finger's first corner into the shapes of the palm [m]
 APART = 0.002  # corners that are nearer than this are one [m]
 
 
@@ -89,13 +92,18 @@ def _jaw_curve(tree: Tree, palm: str, finger: Finger, jaws: Jaws, tip: Tip) -> l
 
 
 def _inside(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> Matrix:
-    """Returns the point next to p in the box around a link, INSIDE its sides."""
-    if link not in tree.points:
-        return p_W
-    R, origin = X_WL[link][:3, :3], X_WL[link][:3, 3]
-    low, high = tree.points[link].min(axis=0), tree.points[link].max(axis=0)
-    inset = np.minimum(INSIDE, (high - low) / 2)
-    return np.asarray(R @ np.clip(R.T @ (p_W - origin), low + inset, high - inset) + origin)
+    """Returns the point next to p in the boxes around the shapes of a link, INSIDE their sides."""
+    best = p_W
+    for placed in (placed for index, placed in tree.robot.shapes if index == link):
+        points = shape_points(placed.shape)
+        low, high = points.min(axis=0), points.max(axis=0)
+        inset = np.minimum(INSIDE, (high - low) / 2)
+        X_WG = X_WL[link] @ placed.X_BG
+        p_G = np.linalg.inv(X_WG) @ [*p_W, 1.0]
+        near = frames.transform(X_WG, np.clip(p_G[:3], low + inset, high - inset))
+        if best is p_W or np.linalg.norm(near - p_W) < np.linalg.norm(best - p_W):
+            best = near
+    return np.asarray(best)
 
 
 def _node(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> dict[str, Any]:
@@ -105,18 +113,19 @@ def _node(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> dict[str, Any]:
 
 def _curve(tree: Tree, finger: Finger, tip: tuple[int, Matrix], q: Matrix) -> list[dict[str, Any]]:
     """Corners from the palm to the tip: the finger's joints, each in the link that it moves."""
-    owner = tree.links[tree.parents[finger.bodies[0]]]
-    X_WP = np.asarray(tree.robot.pose(owner, q))
-    first = np.asarray(tree.robot.pose(finger.bodies[0], q))[:3, 3]
-    nodes: list[dict[str, Any]] = [
-        {"link": owner, "point": _numbers(X_WP[:3, :3].T @ (first - X_WP[:3, 3]))}
-    ]
-    last = first
+    X_WL = tree.poses(q)
+    owner = tree.parents[finger.bodies[0]]
+    last = X_WL[finger.bodies[0]][:3, 3]
+    begin = _node(tree, X_WL, owner, last)
+    within = _inside(tree, X_WL, owner, last)
+    is_beside = np.linalg.norm(within - last) < BESIDE
+    if is_beside and not is_inside(tree.robot, begin["link"], begin["point"]):
+        begin = _node(tree, X_WL, owner, within)
+    nodes = [begin]
     link, p_LT = tip
-    X_WT = np.asarray(tree.robot.pose(link, q))
-    end = X_WT[:3, :3] @ p_LT + X_WT[:3, 3]
+    end = frames.transform(X_WL[link], p_LT)
     for body in finger.bodies[1:]:
-        corner = np.asarray(tree.robot.pose(body, q))[:3, 3]
+        corner = X_WL[body][:3, 3]
         if min(np.linalg.norm(corner - last), np.linalg.norm(corner - end)) > APART:
             nodes.append({"link": tree.links[body]})
             last = corner

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import frames, geometry
+from .. import collision, frames, geometry
 
 if TYPE_CHECKING:
     from .._core.robot import Robot
     from ..frames import Matrix
 
+CORNER = 0.002  # a corner of a curve may be this far outside the shapes [m]
 LARGEST = 5.0  # of a shape of a robot [m]
 CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
 
@@ -54,6 +55,18 @@ def link_points(robot: Robot) -> dict[int, Matrix]:
         points = frames.transform(np.asarray(placed.X_BG), shape_points(placed.shape))
         parts.setdefault(link, []).append(points)
     return {link: np.vstack(points) for link, points in parts.items()}
+
+
+def is_inside(robot: Robot, link: str, p_L: Matrix) -> bool:
+    """True if a point is in a shape of a link, or the link has shapes that are only surfaces."""
+    shapes = [placed for index, placed in robot.shapes if robot.frame_names[index] == link]
+    if not shapes or any(isinstance(placed.shape, geometry.Mesh) for placed in shapes):
+        return True
+    world = collision.World()
+    world.add_body("link", shapes)
+    point = geometry.PlacedShape(geometry.Sphere(CORNER), frames.translation(p_L))
+    world.add_pair("link", world.add_body("corner", [point]))
+    return world.collides()
 
 
 def large_shapes(robot: Robot) -> list[tuple[str, Matrix, bool]]:
