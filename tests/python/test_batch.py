@@ -79,6 +79,14 @@ def test_names_stay_apart(tasks, tmp_path, monkeypatch):
     assert [entry.path for entry in names.find("odd[1].yaml")] == [odd]
 
 
+def test_folders_are_searched_behind_their_links(tasks, tmp_path):
+    folder = tasks("own", ".hidden", ".checkpoints/own")
+    (folder / "far").symlink_to(tasks("card", folder="elsewhere"))
+    (folder / "far" / "circle").symlink_to(folder)
+    (folder / "gone.yaml").symlink_to(tmp_path / "nowhere.yaml")
+    assert [entry.name for entry in names.find(folder)] == ["far/card", "gone", "own"]
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [

@@ -3,6 +3,7 @@
 """Demonstrations are read back by lerobot and by pyarrow, and replay to the same reward."""
 
 import json
+import shutil
 import subprocess
 import sys
 
@@ -136,6 +137,15 @@ def test_an_interrupted_recording_goes_on(tmp_path, monkeypatch, recorded):
         demonstrate("Tumble", tmp_path / "a", 2)
     assert demonstrate("Pick", tmp_path / "a", 2, seed=2) == 2
     assert seeds == [2, 3]  # the first was not recorded again
+    for cut in (0, 1000):  # as a crash of the machine leaves it
+        shutil.rmtree(tmp_path / "a")
+        with pytest.raises(KeyboardInterrupt):
+            demonstrate("Pick", tmp_path / "a", 2, seed=2, progress=interrupt)
+        part = tmp_path / "a.part" / "2.npz"
+        part.write_bytes(part.read_bytes()[:cut])
+        seeds.clear()
+        assert demonstrate("Pick", tmp_path / "a", 2, seed=2) == 2
+        assert seeds == [2, 3]
     assert [path.name for path in tmp_path.iterdir()] == ["a"]
     for name, values in columns(tmp_path / "a").items():
         np.testing.assert_array_equal(values, columns(folder)[name])

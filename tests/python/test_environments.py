@@ -105,6 +105,18 @@ def test_the_expert_does_in_an_environment_what_simulate_does():
     assert len(seen) > 100
 
 
+def test_velocities_are_those_of_the_positions():
+    env = made("Pick")
+    seen, *_ = episode(env, 2, lambda env: env.expert())
+    dof = len(env.unwrapped.joint_names)
+    time = np.array([observation[-1] for observation in seen])
+    moved = np.diff([observation[:dof] for observation in seen], axis=0) / np.diff(time)[:, None]
+    found = np.array([observation[dof : 2 * dof] for observation in seen])
+    assert not found[0].any()
+    assert np.abs(found).max() > 0.5
+    np.testing.assert_allclose(found[1:], moved, atol=1e-3)  # of single precision
+
+
 def test_an_arm_that_stands_still_gets_nothing():
     env = made("Pick")
     first = []

@@ -63,8 +63,19 @@ def find(tasks: str | Path | Iterable[str | Path]) -> list[Entry]:
 
 
 def _below(folder: Path) -> list[Path]:
-    paths = (path for ending in ENDINGS for path in folder.rglob(f"*{ending}"))
-    return sorted(path for path in paths if not path.name.endswith(OF_HANDS) and path.is_file())
+    """Returns the task files below a folder and behind its links. Hidden ones are left out."""
+    found: list[Path] = []
+    seen = set()  # folders, of which links may make a circle
+    for root, folders, names in os.walk(folder, followlinks=True):
+        if (place := os.path.realpath(root)) in seen:
+            folders.clear()
+            continue
+        seen.add(place)
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        named = (Path(root, name) for name in names if name.endswith(ENDINGS) and name[0] != ".")
+        found += [path for path in named if not path.name.endswith(OF_HANDS)]
+    # A link to a file that is gone is a bad task.
+    return sorted(path for path in found if path.is_file() or path.is_symlink())
 
 
 def _files(text: str) -> list[Path]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import io
 import json
 import shutil
+import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -98,6 +99,15 @@ def demonstrate(
     return tried
 
 
+def _is_whole(path: Path) -> bool:
+    """False if an episode is to be recorded: there is no file, or a crash has left a part of it."""
+    try:
+        with np.load(path):
+            return True
+    except (EOFError, OSError, ValueError, zipfile.BadZipFile):
+        return False
+
+
 class _Takes:
     """Episodes of the planner in a folder of their own, each recorded once.
 
@@ -126,7 +136,7 @@ class _Takes:
     def path(self, seed: int) -> Path | None:
         """Returns the file of an episode, recorded now or before; None if it did not hold."""
         path = self.folder / f"{seed}.npz"
-        if not path.exists():
+        if not _is_whole(path):
             columns: Any = self._record(seed, path.with_suffix(".mp4")) or {}
             buffer = io.BytesIO()
             np.savez_compressed(buffer, **columns)

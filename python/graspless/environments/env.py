@@ -64,7 +64,8 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     Notes
     -----
     An action [dof], each entry from -1 to 1, holds the commands of the joints' servos for 0.02 s.
-    An observation has the positions and velocities of the joints [rad or m, rad/s or m/s], the
+    An observation has the positions of the joints and their mean velocities since the observation
+    before [rad or m, rad/s or m/s], the
     poses of the object now and at the end of the plan (x y z qw qx qy qz, in the world [m]), which
     phase it is, and the time since the start of the phase and of the episode [s]. The reward is 1
     for the last action of an episode in which the judge found no failure, else 0. The last `info`
@@ -125,7 +126,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         self._every = max(1, round(1 / RATE / self._running.model.opt.timestep))
         joints = [self._running.model.joint(name) for name in self.joint_names]
         self._qpos = np.array([joint.qposadr[0] for joint in joints])
-        self._qvel = np.array([joint.dofadr[0] for joint in joints])
+        self._rates = np.zeros(len(joints))
         self._goal = frames.to_row(timing.time(self.plan).object_poses[-1])
         self._phase, self._began = next(self._running.steps), 0.0
         self._trial = None
@@ -138,6 +139,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         if self._trial is not None:
             raise TaskError("step: the episode has ended: should be reset first")
         running = self._running
+        began, before = float(running.data.time), running.data.qpos[self._qpos]
         share = (self._checked(action) + 1) / 2
         command = self.action_low + share * (self.action_high - self.action_low)
         for _ in range(self._every):
@@ -152,6 +154,9 @@ class PlanEnv(gymnasium.Env[Any, Any]):
                 raise
             if phase != self._phase:
                 self._phase, self._began = phase, float(running.data.time)
+        took = float(running.data.time) - began
+        if took > 0:  # the mean: within the step, the joints follow a jump of the command
+            self._rates = (running.data.qpos[self._qpos] - before) / took
         has_ended = self._trial is not None
         reward = float(has_ended and bool(self._trial))
         return self._observation(), reward, has_ended, False, self._info()
@@ -220,7 +225,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
         now = float(data.time)
         phase = [float(name == self._phase) for name in self._phases]
         rest = [*pose, *self._goal, *phase, now - self._began, now]
-        joints = np.concatenate([data.qpos[self._qpos], data.qvel[self._qvel]])
+        joints = np.concatenate([data.qpos[self._qpos], self._rates])
         whole = np.concatenate([joints, rest])
         seen: NDArray[np.float32] = np.clip(whole, -_LARGEST, _LARGEST).astype(np.float32)
         return seen

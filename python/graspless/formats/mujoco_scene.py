@@ -83,6 +83,7 @@ def _clasp(spec: Any, body: Any, task: Task) -> None:
     body.pos, body.quat = X_WO[:3, 3], frames.to_quaternion(X_WO)
     held = spec.add_equality(name=HELD, type=mujoco.mjtEq.mjEQ_WELD)
     held.name1, held.name2, held.objtype = OBJECT, "world", mujoco.mjtObj.mjOBJ_BODY
+    held.data[:3] = X_WO[:3, 3]  # the point that is held, in the world: far away, it gives way
 
 
 def _carry(spec: Any, body: Any, task: Task) -> None:
