@@ -69,7 +69,7 @@ def given_packages(options: argparse.Namespace) -> dict[str, str]:
     return packages
 
 
-_INPUTS = ("task", "plan", "scene", "file", "files", "robot", "arm", "gripper")
+_INPUTS = ("task", "plan", "scene", "file", "files", "robot", "arm", "gripper", "camera")
 _OUTPUTS = {"output": "--output", "png": "--png", "html": "--html"}
 
 

@@ -34,7 +34,8 @@ def _of_timer(seconds: float) -> float:
 class Reading:
     """Clock of a thread that reads a task in order to plan it."""
 
-    def __init__(self, has_alarm: bool) -> None:
+    def __init__(self, has_alarm: bool, what: str) -> None:
+        self.what = what
         self.began = time.monotonic()
         self.seconds: float | None = None  # the limit, once it is known
         self.is_paused = False
@@ -59,8 +60,7 @@ class Reading:
     def out_of_time(self) -> OutOfTimeError:
         """Returns the error that reports the time limit."""
         return OutOfTimeError(
-            f"budget.seconds: {self.seconds:g} s were over before the task was read; "
-            "should be larger"
+            f"budget.seconds: {self.seconds:g} s were over before the {self.what}; should be larger"
         )
 
 
@@ -72,19 +72,23 @@ _current = _Current()
 
 
 @contextlib.contextmanager
-def reading(seconds: float | None = None, alarm: bool = False) -> Iterator[Reading]:
+def reading(
+    seconds: float | None = None, alarm: bool = False, what: str = "task was read"
+) -> Iterator[Reading]:
     """Ends the block with OutOfTimeError when the limit is reached.
 
     Parameters
     ----------
     seconds : float, optional
         Limit [s]; by default that of the task, see `limit_reading`.
+    what : str
+        What had not been done at the limit, for the message.
     alarm : bool
         Also interrupt Python code, by SIGALRM. For the command line alone: a library must leave
         signals to its caller.
     """
     is_main = threading.current_thread() is threading.main_thread()
-    clock = Reading(alarm and is_main and hasattr(signal, "setitimer"))
+    clock = Reading(alarm and is_main and hasattr(signal, "setitimer"), what)
     before, outer = None, _current.reading
     if clock.has_alarm:
         before = signal.signal(signal.SIGALRM, clock.end)

@@ -176,6 +176,7 @@ def test_check_says_what_does_not_hold(task, capsys):
         (["plan", "task.yaml", "-o", "a.html", "--html", "a.html"], "replace the file of --output"),
         (["robot", "join", "a.urdf", "b.urdf", "--mount", "m", "-o", "a.urdf"], "replace an input"),
         (["view", "plan.json", "--html", "plan.json"], "plan.json: would replace an input"),
+        (["see", "a.png", "--camera", "task.yaml", "-o", "task.yaml"], "would replace an input"),
         (["see", "scene.npz"], "scene.yaml: scene.npz beside it would replace an input"),
         (["pick", ".", "a", "--robot", "wam_t42"], ".: is a folder, not a file"),
         (["robot", "inspect", "."], "robot.urdf: .: is a folder, not a file"),

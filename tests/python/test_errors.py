@@ -111,6 +111,7 @@ def test_errors_of_libraries_are_not_those_of_stdout(error, monkeypatch, capsys)
         raise error
 
     monkeypatch.setattr(perception, "perceive_views", fail)
+    monkeypatch.setattr("graspless.perception.cli.kind_of", lambda path: "arrays")
     monkeypatch.setattr("graspless.perception.cli.read_view", lambda *given: None)
     monkeypatch.setattr("graspless.perception.front.warn_of_camera", lambda *given: None)
     assert main(["see", "image.npz", "--json"]) == 2

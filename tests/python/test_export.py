@@ -59,6 +59,13 @@ def test_a_trajectory_is_written_as_it_is(tmp_path):
     assert arm.joint_names == planned_anew.joint_names[:7]
     with pytest.raises(TaskError, match="plan: a Trajectory of a group; mujoco holds the whole"):
         graspless.export(arm, tmp_path / "arm.xml", "mujoco")
+    with pytest.raises(TaskError, match="plan: a part of a Trajectory; mujoco holds all segments"):
+        graspless.export(trajectory.at([0.0, 0.1]), tmp_path / "part.xml", "mujoco")
+    for times in ([1.0, 0.5], [0.0, 0.0], [-1.0, 0.0]):
+        with pytest.raises(TaskError, match="plan: its times should begin at 0 or later"):
+            graspless.export(trajectory.at(times), tmp_path / "own.yaml", "ros")
+    with pytest.raises(TaskError, match="group: 'hand': the trajectory is of another group"):
+        graspless.export(arm, tmp_path / "hand.csv", "csv", group="hand")
     with pytest.raises(TaskError, match="rate: must not be given with a Trajectory"):
         graspless.export(trajectory, tmp_path / "own.csv", "csv", rate=5)
     with pytest.raises(TaskError, match="max_jerk: must not be given with a Trajectory"):
@@ -447,6 +454,17 @@ def test_mujoco_has_the_plan_s_kinematics_at_its_keyframes(tmp_path, name):
         for frame, X_WF in zip(robot.frame_names, robot.forward(q), strict=True):
             np.testing.assert_allclose(body_pose(data, frame), X_WF, atol=1e-5)
         np.testing.assert_allclose(body_pose(data, "object"), X_WO, atol=1e-5)
+
+
+def test_mujoco_holds_the_object_of_a_clasp(tmp_path):
+    exported("clasp", tmp_path / "plan.xml", "mujoco")
+    model, data = loaded(tmp_path / "plan.xml")
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    before = body_pose(data, "object")
+    for _ in range(1000):
+        mujoco.mj_step(model, data)
+        np.testing.assert_allclose(body_pose(data, "object"), before, atol=1e-3)
 
 
 @pytest.mark.parametrize("name", ["push", "tumble", "regrasp", "twice"])

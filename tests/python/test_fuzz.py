@@ -9,6 +9,7 @@ import warnings
 from contextlib import redirect_stderr, redirect_stdout
 
 import numpy as np
+import PIL.Image
 import pytest
 import yaml
 from hypothesis import given
@@ -17,6 +18,7 @@ from hypothesis import strategies as st
 import graspless
 from fuzz_common import ROOT, edited, fuzzed, refused_or, require_message, spliced
 from graspless import cli
+from graspless.perception.view_files import read_view
 from graspless.tasks.clouds import read_cloud
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
@@ -105,7 +107,10 @@ def clouds():
     numbers = np.array(points.split(), dtype="<f4").tobytes()
     ply = "ply\nformat {} 1.0\nelement vertex 3\n"
     ply += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+    array = io.BytesIO()
+    np.save(array, np.array(points.split(), dtype="<f4").reshape(3, 3))
     return {
+        ".npy": [array.getvalue()],
         ".xyz": [points.encode()],
         ".pcd": [f"{pcd}ascii\n{points}".encode(), f"{pcd}binary\n".encode() + numbers],
         ".ply": [
@@ -139,6 +144,39 @@ def require_cloud(path):
     else:
         assert points.shape[1] == 3
         assert np.isfinite(points).all()
+
+
+def images():
+    """Small depth images of every format, in millimetres."""
+    counts = np.full((24, 32), 800, np.uint16)
+    made = {suffix: io.BytesIO() for suffix in (".png", ".tif", ".tiff", ".npy")}
+    PIL.Image.fromarray(counts).save(made[".png"], "PNG")
+    PIL.Image.fromarray(counts).save(made[".tif"], "TIFF")
+    PIL.Image.fromarray(counts.astype(np.float32)).save(made[".tiff"], "TIFF")
+    np.save(made[".npy"], counts)
+    return {suffix: [file.getvalue()] for suffix, file in made.items()}
+
+
+CAMERA = {"focal": [30.0, 30.0], "center": [15.5, 11.5], "pose": {"rpy": [3, 0, 0]}, "unit": 0.001}
+
+
+@fuzzed
+@pytest.mark.filterwarnings("ignore:Reading .* created on Python 2")  # numpy's
+@given(suffix=st.sampled_from(sorted(images())), data=st.data())
+def test_depth_images(folder, suffix, data):
+    path, camera = (folder / "fuzzed").with_suffix(suffix), folder / "camera.json"
+    path.write_bytes(data.draw(spliced(images()[suffix], CLOUD_WORDS)))
+    camera.write_text(json.dumps(CAMERA))
+    refused_or(lambda: read_view(path, str(camera), None))
+
+
+@fuzzed
+@given(fields=edited([CAMERA]))
+def test_files_of_cameras(folder, fields):
+    path, camera = folder / "whole.png", folder / "fuzzed.json"
+    path.write_bytes(images()[".png"][0])
+    camera.write_bytes(json.dumps(fields).encode("utf-8", "surrogatepass"))
+    refused_or(lambda: read_view(path, str(camera), None))
 
 
 COMMANDS = ["plan", "check", "loops", "export", "view", "example", "bench", "nothing", "", "--help"]

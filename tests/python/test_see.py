@@ -383,15 +383,17 @@ def test_bad_depth_images_are_refused(folder, capsys):
         assert main(["see", name, *flags, "-o", str(folder / "x.yaml")]) == 2
         return capsys.readouterr().err
 
+    given = ("--camera", camera)
     assert "good.png: a depth image needs --camera YAML, a file with" in refused("good.png")
     said = refused("good.png", "--camera", bare)
     assert "bare.yaml:2: unit: missing: good.png has integers; should be the distance" in said
     said = refused("good.png", "--camera", camera, "--camera", camera)
     assert f"--camera: 2 for 1 image(s) ({folder / 'good.png'}): should be given once" in said
-    assert "--camera: 1 for 0 image(s) (an .npz" in refused("frame.npz", "--camera", camera)
+    said = refused("frame.npz", "--camera", camera)
+    assert said == "--camera: has no effect: none of the files is a depth image\n"
     assert "none.yaml: cannot be read: No such file" in refused("good.png", "--camera", "none.yaml")
     for text, words in (
-        ("unit: 1.0", "unit: 1.0: should be less than or equal to 0.01"),
+        ("unit: 2.0", "unit: 2.0: should be less than or equal to 1"),
         ("distortion: [0.1]", "distortion: unknown field"),
         ("unit: mm", "unit: mm: should be a valid number"),
     ):
@@ -400,20 +402,34 @@ def test_bad_depth_images_are_refused(folder, capsys):
     for mode in ("L", "RGB"):
         PIL.Image.fromarray((counts >> 8).astype(np.uint8)).convert(mode).save(folder / "8.png")
         said = refused("8.png", "--camera", camera)
-        assert f"as a depth image: its pixels are of type {mode}; those of a depth image" in said
+        assert f"8.png: has pixels of type {mode}; those of a depth image are" in said
+    pages = [PIL.Image.fromarray(counts)] * 2
+    pages[0].save(folder / "pages.tif", save_all=True, append_images=pages[1:])
+    assert "pages.tif: has 2 pages; a depth image has one" in refused("pages.tif", *given)
+    PIL.Image.fromarray(counts.astype(np.int32)).save(folder / "long.tif")
+    assert "long.tif: has pixels of type I; those" in refused("long.tif", *given)
     (folder / "cut.png").write_bytes((folder / "good.png").read_bytes()[:900])
-    assert "cut.png: cannot be read as a depth image: " in refused("cut.png", "--camera", camera)
+    assert "cut.png: is damaged, or no image" in refused("cut.png", "--camera", camera)
     (folder / "text.png").write_text("no image")
-    assert "text.png: cannot be read as a depth" in refused("text.png", "--camera", camera)
-    given = ("--camera", camera)
+    assert "text.png: is damaged, or no image of type PNG" in refused(
+        "text.png", "--camera", camera
+    )
     assert "bad.npy: has shape (480, 640, 4); a depth image" in refused(
         np.ones((480, 640, 4)), *given
     )
     assert "holds values of type complex128, not" in refused(np.ones((480, 640), complex), *given)
-    assert "as a depth image: " in refused(np.array([[{}]]), *given)
+    assert "bad.npy: holds values of type object, not" in refused(np.array([[{}]]), *given)
     assert "at most 50000000 are read" in refused(np.ones((7100, 7100), np.uint8), *given)
+    assert "has 8 bits per pixel; pictures" in refused(np.ones((480, 640), np.uint8), *given)
+    said = refused(np.ones((480, 640, 3), np.uint8), "--viewpoint", "0", "0", "1")
+    assert "the array has 8 bits per value, like the colours of a picture" in said
     (folder / "arrays.npy").write_bytes((folder / "frame.npz").read_bytes())
-    assert "holds several arrays; their file" in refused("arrays.npy", *given)
+    assert "arrays.npy: is an .npz archive; rename it" in refused("arrays.npy", *given)
+    np.save(folder / "cut.npy", counts)
+    (folder / "cut.npy").write_bytes((folder / "cut.npy").read_bytes()[:5000])
+    assert "cut.npy: its header states 307200 numbers, but 4872 bytes" in refused("cut.npy", *given)
+    (folder / "text.npy").write_text("no array")
+    assert "text.npy: its header is not that of an .npy file" in refused("text.npy")
     assert "a cloud needs --viewpoint" in refused(np.ones((9, 3)))
 
 
@@ -461,11 +477,11 @@ def test_bad_files_are_refused(folder, capsys):
     assert "no such file" in refused(folder / "none.npz")
     assert "unknown kind of file" in refused(folder / "scene.yaml")
     said = refused(folder / "frame.npz", "--viewpoint", 0, 0, 1)
-    assert said.startswith("--viewpoint: 1 for 0 cloud(s) (an .npz file has K and X_WC): should be")
-    said = refused(folder / "cloud.bag", "--viewpoint", 0, 0, 1)
-    assert "--viewpoint: 1 for 0 cloud(s)" in said
+    assert said == "--viewpoint: has no effect: none of the files is a cloud\n"
     choices = ".npz, .png, .tif, .tiff, .npy, .ply, .pcd, .xyz"
-    assert f"cloud.bag: unknown kind of file (one of: {choices})" in refused(folder / "cloud.bag")
+    said = refused(folder / "cloud.bag", "--viewpoint", 0, 0, 1)
+    assert f"cloud.bag: unknown kind of file (one of: {choices})" in said
+    assert "no.npy: no such file" in refused(folder / "no.npy", "--viewpoint", 0, 0, 1)
     (folder / "cloud.xyz").write_text("0 0 1\n")
     assert "a cloud needs --viewpoint" in refused(folder / "cloud.xyz")
     assert "VIEWPOINT" not in refused(folder / "cloud.xyz")

@@ -633,7 +633,17 @@ def test_broken_clouds(write, tmp_path):
     np.save(tmp_path / "flat.npy", np.ones(9))
     np.save(tmp_path / "colours.npy", np.ones((9, 6)))
     np.save(tmp_path / "words.npy", np.full((9, 3), "a"))
-    for name in ("a.ply", "a.pcd", "a.xyz", "a.npy", "flat.npy", "colours.npy", "words.npy"):
+    np.save(tmp_path / "picture.npy", np.ones((9, 9, 3), np.uint8))
+    for name in (
+        "a.ply",
+        "a.pcd",
+        "a.xyz",
+        "a.npy",
+        "flat.npy",
+        "colours.npy",
+        "words.npy",
+        "picture.npy",
+    ):
         message = fault(write(cloud_task(name)))
         assert message.startswith(f"task.yaml:7: object.cloud: {name}: cannot be read"), message
 

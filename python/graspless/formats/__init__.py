@@ -8,11 +8,15 @@ import importlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+import numpy as np
+
 from .. import files
 from .._arguments import require_choice
 from ..errors import TaskError, missing
 from ..simulation import require_mujoco
 from ..timing import Trajectory, time
+from ..timing.rates import MOST_MOMENTS
+from ..timing.settings import LONGEST
 
 if TYPE_CHECKING:
     from .._plan import Plan
@@ -124,17 +128,34 @@ def text(
     return trajectory, writer.text(trajectory)
 
 
-def _timed(plan: Any, to: str, group: str | None, **settings: Any) -> Trajectory:
+def _timed(
+    plan: Plan | Trajectory | str | Path, to: str, group: str | None, **settings: Any
+) -> Trajectory:
     """Returns the timed plan, for all joints or those of a group."""
     if group is not None and to in SCENES:
         raise TaskError(f"group: {group}: {to} holds the whole robot")
-    trajectory = plan if isinstance(plan, Trajectory) else time(plan, **settings)
-    given = [name for name, value in settings.items() if value is not None]
-    if trajectory is plan and given:
-        raise TaskError(f"{given[0]}: must not be given with a Trajectory, which is timed already")
-    if trajectory is plan and to in SCENES and trajectory.is_of_group:
-        raise TaskError(f"plan: a Trajectory of a group; {to} holds the whole robot")
+    if isinstance(plan, Trajectory):
+        _require_timed(plan, to, settings)
+        trajectory = plan
+    else:
+        trajectory = time(plan, **settings)
     return trajectory if group is None else trajectory.of_group(group)
+
+
+def _require_timed(trajectory: Trajectory, to: str, settings: dict[str, Any]) -> None:
+    """Raises TaskError if a format cannot hold a trajectory, or settings of `time` are given."""
+    if given := [name for name, value in settings.items() if value is not None]:
+        raise TaskError(f"{given[0]}: must not be given with a Trajectory, which is timed already")
+    times = trajectory.times
+    if len(times) > MOST_MOMENTS or times[-1] > LONGEST:
+        what = f"{len(times)} samples and {times[-1]:.3g} s"
+        raise TaskError(f"plan: has {what}: at most {MOST_MOMENTS} and {LONGEST} s can be written")
+    if times[0] < 0 or (np.diff(times) <= 0).any():
+        raise TaskError("plan: its times should begin at 0 or later, and increase")
+    if to in SCENES and trajectory.is_of_group:
+        raise TaskError(f"plan: a Trajectory of a group; {to} holds the whole robot")
+    if to in SCENES and len(np.unique(trajectory.segment_index)) < len(trajectory.segments):
+        raise TaskError(f"plan: a part of a Trajectory; {to} holds all segments")
 
 
 def _check_ending(path: str | Path, to: str) -> None:

@@ -97,8 +97,9 @@ def _run(options: argparse.Namespace) -> int:
         view.check_png(options.png)
         files.check_writable(options.png)
     chosen = _perception_options(options.options)
-    cameras = _each(options.files, "image", "--camera", options.camera)
-    viewpoints = _each(options.files, "cloud", "--viewpoint", options.viewpoint)
+    kinds = [kind_of(Path(path)) for path in options.files]
+    cameras = _each(options.files, kinds, "image", "--camera", options.camera)
+    viewpoints = _each(options.files, kinds, "cloud", "--viewpoint", options.viewpoint)
     views = [
         read_view(Path(path), cameras.get(k), viewpoints.get(k))
         for k, path in enumerate(options.files)
@@ -149,14 +150,19 @@ def _perception_options(text: str | None) -> Options:
     return Options(**fields.model_dump(exclude_none=True))
 
 
-def _each(files: list[str], kind: str, flag: str, given: list[Any] | None) -> dict[int, Any]:
+def _each(
+    files: list[str], kinds: list[str], kind: str, flag: str, given: list[Any] | None
+) -> dict[int, Any]:
     """Returns the values of a flag by the index of their files, or none if the flag is not given.
 
     Raises TaskError if there are values, but not one for each file of the kind.
     """
-    found = [k for k, file in enumerate(files) if kind_of(Path(file)) == kind]
+    found = [k for k, of in enumerate(kinds) if of == kind]
+    if given and not found:
+        what = {"image": "depth image", "cloud": "cloud"}[kind]
+        raise TaskError(f"{flag}: has no effect: none of the files is a {what}")
     if given and len(given) != len(found):
-        names = ", ".join(files[k] for k in found) if found else "an .npz file has K and X_WC"
+        names = ", ".join(files[k] for k in found)
         raise TaskError(
             f"{flag}: {len(given)} for {len(found)} {kind}(s) ({names}): should be given once for "
             "each, in their order"

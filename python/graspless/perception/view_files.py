@@ -11,10 +11,17 @@ import numpy as np
 from pydantic import Field
 
 from .._core.perception import View
-from ..errors import TaskError, explain, is_of_library, missing
+from ..errors import TaskError, explain, is_of_library, missing, told
 from ..files import absence
-from ..tasks.clouds import SUFFIXES, read_array, read_cloud, stated_viewpoint
-from ..tasks.rays import RayCamera
+from ..tasks.clouds import (
+    MOST_BYTES,
+    SUFFIXES,
+    array_shape,
+    read_array,
+    read_cloud,
+    stated_viewpoint,
+)
+from ..tasks.rays import PinholeCamera
 from ..tasks.reading import read_yaml
 from ..tasks.shapes import Pose, pose_matrix
 from .arrays import read_arrays
@@ -28,38 +35,37 @@ if TYPE_CHECKING:
     from ..tasks.source import Source
 
 IMAGES = (".png", ".tif", ".tiff", ".npy")
-MOST = 4_000_000_000  # bytes of the arrays in a file
 MOST_PIXELS = 50_000_000  # of an image
 
 
-class CameraFile(RayCamera):
+class CameraFile(PinholeCamera):
     """The camera of a depth image without distortion."""
 
     pose: Pose = Field(
         description="pose of the optical frame in the world: x right, y down, z forward"
     )
-    unit: Annotated[float, Field(gt=0, le=0.01)] | None = Field(
+    unit: Annotated[float, Field(gt=0, le=1)] | None = Field(
         default=None,
         description="distance per count [m], such as 0.001 for millimetres; needed for integers",
     )
 
 
 def kind_of(path: Path) -> str:
-    """Returns the kind of a file: arrays, image or cloud; empty if it is of no such kind.
+    """Returns the kind of a file: arrays, image or cloud.
 
-    An .npy file is a cloud if its last axis has three coordinates.
+    An .npy file is a cloud if its last axis has three coordinates. Raises TaskError if the file is
+    missing, is of no such kind, or is an .npy file that is not valid.
     """
     suffix = path.suffix.lower()
+    if suffix not in (".npz", *IMAGES, *SUFFIXES):
+        choices = ", ".join(dict.fromkeys((".npz", *IMAGES, *SUFFIXES)))
+        raise TaskError(f"{path}: unknown kind of file (one of: {choices})")
+    if not path.is_file():
+        raise TaskError(f"{path}: {absence(path)}")
     if suffix == ".npy":
-        try:
-            return "cloud" if read_array(path).shape[-1:] == (3,) else "image"
-        except Exception as error:  # of a broken file, which `read_view` reports
-            if not is_of_library(error):
-                raise
-            return "image"
-    if suffix in IMAGES:
-        return "image"
-    return "arrays" if suffix == ".npz" else "cloud" if suffix in SUFFIXES else ""
+        with told(str(path)):
+            return "cloud" if array_shape(path)[-1:] == (3,) else "image"
+    return "arrays" if suffix == ".npz" else "image" if suffix in IMAGES else "cloud"
 
 
 def read_view(path: Path, camera: str | None, viewpoint: list[float] | None) -> View:
@@ -80,21 +86,12 @@ def read_view(path: Path, camera: str | None, viewpoint: list[float] | None) -> 
         A file is missing or not valid; names file, array or field, and shape.
     """
     kind = kind_of(path)
-    if not kind:
-        choices = ", ".join(dict.fromkeys((".npz", *IMAGES, *SUFFIXES)))
-        raise TaskError(f"{path}: unknown kind of file (one of: {choices})")
-    if not path.is_file():
-        raise TaskError(f"{path}: {absence(path)}")
-    try:
+    with told(str(path)):
         if kind == "arrays":
             return _view_of_arrays(path)
         if kind == "image":
             return _view_of_image(path, camera)
         return _view_of_points(path, viewpoint)
-    except TaskError:
-        raise
-    except ValueError as error:
-        raise TaskError(f"{path}: {error}") from None
 
 
 def _view_of_points(path: Path, viewpoint: list[float] | None) -> View:
@@ -121,10 +118,6 @@ def _view_of_image(path: Path, camera: str | None) -> View:
     source: Source = read_yaml(camera)
     fields: CameraFile = source.validate(CameraFile)
     counts = _pixels_of(path)
-    if counts.ndim != 2:
-        raise ValueError(f"has shape {counts.shape}; a depth image must be (H, W)")
-    if counts.size > MOST_PIXELS:
-        raise ValueError(f"has {counts.size} pixels; at most {MOST_PIXELS} are read")
     if counts.dtype.kind != "f" and fields.unit is None:
         what = f"missing: {path.name} has integers; should be the distance per count, such as"
         raise source.error(("unit",), f"{what} 0.001 for millimetres")
@@ -133,30 +126,55 @@ def _view_of_image(path: Path, camera: str | None) -> View:
 
 
 def _pixels_of(path: Path) -> NDArray[Any]:
-    """Returns the values of an image of integers of 16 or 32 bits, or of floats."""
-    try:
-        if path.suffix.lower() == ".npy":
-            return read_array(path)
-        from PIL import Image
+    """Returns the values [H, W] of an image: integers of 16 bits or more, or floats."""
+    if path.suffix.lower() == ".npy":
+        shape = array_shape(path)
+        if len(shape) != 2:
+            raise ValueError(f"has shape {shape}; a depth image must be (H, W)")
+        _require_few(shape[0] * shape[1])
+        counts = read_array(path)
+    else:
+        counts = _image_of(path)
+    if counts.dtype.itemsize < 2:
+        raise ValueError("has 8 bits per pixel; pictures of depths are for viewing only")
+    return counts
 
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)  # see MOST_PIXELS
-            image = Image.open(path, formats=("PNG", "TIFF"))
-        with image:
-            if (count := image.width * image.height) > MOST_PIXELS:
-                raise ValueError(f"it has {count} pixels; at most {MOST_PIXELS} are read")
-            if image.mode != "F" and not image.mode.startswith("I"):
-                raise ValueError(
-                    f"its pixels are of type {image.mode}; those of a depth image are numbers of "
-                    "16 bits or more. A picture of depths for people has lost them"
-                )
-            return np.asarray(image)
+
+def _image_of(path: Path) -> NDArray[Any]:
+    """Returns the values of a .png or .tiff file."""
+    try:
+        from PIL import Image
     except ImportError as error:
         raise missing(error, "view", " to read images") from None
-    except Exception as error:  # numpy and Pillow raise errors of many types
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Pillow's, about sizes and trailing bytes
+            image = Image.open(path, formats=("PNG", "TIFF"))
+            with image:
+                _require_few(image.width * image.height)
+                if (pages := getattr(image, "n_frames", 1)) > 1:
+                    raise ValueError(f"has {pages} pages; a depth image has one")
+                if image.mode == "F" or image.mode.startswith("I;16"):
+                    return np.array(image)
+                if image.mode == "I" and image.format == "PNG":  # 16 bits, by older Pillows
+                    return np.array(image)
+                raise ValueError(
+                    f"has pixels of type {image.mode}; those of a depth image are integers of 16 "
+                    "bits or floating-point numbers. Pictures of depths are for viewing only"
+                )
+    except Image.DecompressionBombError:
+        raise ValueError(f"has too many pixels; at most {MOST_PIXELS} are read") from None
+    except ValueError:
+        raise
+    except Exception as error:  # Pillow raises errors of many types
         if not is_of_library(error):
             raise
-        raise ValueError(f"cannot be read as a depth image: {explain(error)}") from None
+        raise ValueError("is damaged, or no image of type PNG or TIFF") from None
+
+
+def _require_few(pixels: int) -> None:
+    if pixels > MOST_PIXELS:
+        raise ValueError(f"has {pixels} pixels; at most {MOST_PIXELS} are read")
 
 
 def _view_of_arrays(path: Path) -> View:
@@ -164,7 +182,7 @@ def _view_of_arrays(path: Path) -> View:
     from ..tasks.source import shorten
 
     try:
-        found = read_arrays(path, MOST, wanted=("depth", "frames", "K", "X_WC"))
+        found = read_arrays(path, MOST_BYTES, wanted=("depth", "frames", "K", "X_WC"))
     except Exception as error:  # numpy and zipfile raise whatever they stumble over
         if not is_of_library(error):
             raise

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import itertools
-import os
+import math
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -21,13 +21,11 @@ from .._arguments import (
 )
 from ..errors import TaskError, warn
 from ..report import least_seconds
-from ..tasks.documents import in_plain_types
-from ..tasks.robot_files import find_urdf
-from ..tasks.source import Source
 from . import place as places
 from .hidden import warnings_of
 from .moving import MOVING
-from .result import FILE, INTERRUPTED, NOT_TRIED, REFUSED, STALE, Attempt, Pick
+from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
+from .robots import labelled, require_found
 from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
 from .wish import read_scene, stale, wish_of
@@ -114,7 +112,8 @@ def pick(
         Seed of all random numbers, 1 by default. The same seed gives the same plan unless the time
         ends a search.
     budget : planning.Budget, optional
-        Instead of both; another thread may stop() it. The plans found before that count.
+        Replaces `seconds` and `seed`. Another thread may call its stop(): the pick then ends after
+        the check or the reading that runs, with the best plan that was found.
     trust : bool
         Let xacro files of the robot read any file and run code, see docs/security.md.
 
@@ -142,10 +141,10 @@ def pick(
     for field, value in (("mass", mass), ("grip_force", grip_force), ("max_age", max_age)):
         if value is not None:
             require_number(field, value)
-    with limits.reading(budget.seconds):
+    with limits.reading(budget.seconds, what="robot and the scene were read"):
         scene, file = read_scene(scene)
         robots = labelled(robot)
-        _require_found(list(robots.values()))
+        require_found(list(robots.values()))
         wishes = {
             label: wish_of(
                 scene, file, name, one,
@@ -178,6 +177,8 @@ def _budget_of(
     """Returns the budget, or that of seconds and seed. Raises TaskError if it is not valid."""
     if budget is None:
         require_above_zero("seconds", seconds := 10.0 if seconds is None else seconds)
+        if not math.isfinite(seconds):
+            raise TaskError(f"seconds: {seconds}: should be finite")
         seed = require_integer("seed", 1 if seed is None else seed, least=0, most=2**64 - 1)
         budget = planning.Budget(seconds=seconds, seed=seed)
     elif (seconds, seed) != (None, None):
@@ -185,7 +186,8 @@ def _budget_of(
     require_type("budget", budget, planning.Budget)
     require_finite(budget)
     if budget.iterations is not None:
-        raise TaskError("budget.iterations: not for a pick, which is several searches")
+        what = "should be None: a pick runs several searches"
+        raise TaskError(f"budget.iterations: {budget.iterations}: {what}")
     return budget
 
 
@@ -219,8 +221,6 @@ def _search(
             plan = attempt_plan(attempt, wishes[attempt.robot], target, opening, part)
             if plan is not None:
                 plans.append((plan, attempt.robot))
-            elif budget.is_stopped and (attempt.is_planned or attempt.status != REFUSED):
-                attempt.status, attempt.reason = INTERRUPTED, "it was stopped before it ended"
             elif attempt.seconds - spent >= _RAN_OUT * share:
                 unfinished.append(attempt)
         if k + 1 >= best_of:
@@ -241,7 +241,7 @@ def _note_end(attempts: Sequence[Attempt], budget: planning.Budget) -> None:
     reason = f"the time limit of {budget.seconds:g} s was over {last}; give more seconds"
     others = "no time was left"
     if budget.is_stopped:
-        reason = others = "the pick was stopped before"
+        reason = others = "the pick was stopped"
     for attempt in attempts[len(tried) :]:
         attempt.reason, reason = reason, others
 
@@ -251,46 +251,6 @@ def _waiting(attempts: Sequence[Attempt], i: int) -> int:
     still = {a.robot for a in attempts if not a.moves}
     return sum(k == i or a.strategy not in MOVING or a.robot not in still
                for k, a in enumerate(attempts) if k >= i)  # fmt: skip
-
-
-def labelled(robot: Any) -> dict[str, Any]:
-    """Returns robots by name: that of the URDF; the second one of a name ends with (2).
-
-    Raises TaskError if there is none.
-    """
-    several = list(robot) if isinstance(robot, (list, tuple)) else [robot]
-    if not several:
-        raise TaskError("robot: none: at least one is needed")
-    for one in several:
-        if not isinstance(one, (str, os.PathLike, Mapping)):
-            what = "should be a robot's name, the path of a URDF, or the fields of a robot"
-            raise TaskError(f"robot: {one!r}: {what}")
-    labels: dict[str, Any] = {}
-    for one in several:
-        fields = one if isinstance(one, Mapping) else {"urdf": str(one)}
-        given = next((fields[key] for key in ("urdf", "name", "arm") if key in fields), "robot")
-        name = label = str(given).replace("\\", "/").rsplit("/", 1)[-1].removesuffix(".urdf")
-        count = 1
-        while label in labels:
-            count += 1
-            label = f"{name} ({count})"
-        labels[label] = in_plain_types(one)
-    return labels
-
-
-def _require_found(robots: list[Any]) -> None:
-    """Raises TaskError that names a robot whose URDF, or whose gripper's, does not exist."""
-    given = [one if isinstance(one, Mapping) else {"urdf": str(one)} for one in robots]
-    source = Source(FILE, {"robot": given if len(given) > 1 else given[0]})
-    for i, fields in enumerate(given):
-        place = ("robot", i) if len(given) > 1 else ("robot",)
-        hand = fields.get("gripper")
-        parts = [(fields, place, key) for key in ("urdf", "arm")]
-        if isinstance(hand, Mapping):
-            parts.append((hand, (*place, "gripper"), "file"))
-        for part, where, key in parts:
-            if isinstance(part.get(key), str):
-                find_urdf(part[key], key, (*where, key), source, Path.cwd())
 
 
 def _require_usable(found: Pick) -> None:

@@ -80,7 +80,7 @@ def moving_of(
     block = block_of(flat)
     if isinstance(block, str):
         return block
-    pinching = _trial_task("pinch", flat, 1, TRIAL_SECONDS)
+    pinching = _trial_task("pinch", flat, 1, min(budget.seconds, TRIAL_SECONDS))
     if opening is None:
         first: Any = searched(pinching, time.monotonic(), budget).stages[0]
         opening = float(first.opening)

@@ -25,9 +25,9 @@ class Attempt:
         pinch, rim, slide, clasp, tumble or push; scene or place if this rules out all of them.
     status : str
         solved; refused: lengths or the description of the robot rule it out; not_tried: another
-        strategy was found before, or no time was left; faulty: its plan does not pass `check`;
-        stale: the scene is too old; not_found: no tumble or push leads to a grasp; interrupted: the
-        budget was stopped; otherwise the status of its plan.
+        strategy was found before, no time was left, or the pick was stopped; faulty: its plan does
+        not pass `check`; stale: the scene is too old; not_found: no tumble or push leads to a
+        grasp; interrupted: the budget was stopped; otherwise the status of its plan.
     reason : str
         One sentence; empty if another strategy was found before. Of those that were solved, a clasp
         has a warning, and a tumble or push says which one it is.

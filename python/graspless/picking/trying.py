@@ -16,7 +16,7 @@ from . import loose, over_edge
 from .fingertips import Fingertips, fingertips_of
 from .measured import doubt
 from .moving import MOVING, moving_of
-from .result import FAULTY, FILE, NOT_FOUND, REFUSED
+from .result import FAULTY, FILE, INTERRUPTED, NOT_FOUND, REFUSED
 from .strategies import LEAST_SECONDS, chain_of, explained, refusal, searched, ways_of
 
 if TYPE_CHECKING:
@@ -86,7 +86,8 @@ def attempt_plan(
         held = [stage for stage in plan.stages if stage.kind == "carry"][-1]
         attempt.reason = str(loose.sway_of(held, wish) or "")
     if doubted:
-        attempt.status, attempt.reason, attempt.is_planned = REFUSED, doubted, True
+        attempt.status = INTERRUPTED if budget.is_stopped else REFUSED
+        attempt.reason, attempt.is_planned = doubted, True
         return None
     if faults:
         attempt.status, attempt.reason = FAULTY, faults[0]
@@ -126,7 +127,8 @@ def _move(
             attempt.status, attempt.reason = "solved", found.words
             return plan
     if attempt.status != "solved":
-        attempt.status, attempt.reason = NOT_FOUND, doubted or moving.reason()
+        attempt.status = INTERRUPTED if budget.is_stopped else NOT_FOUND
+        attempt.reason = doubted or moving.reason()
     return None
 
 
@@ -232,10 +234,18 @@ def _placed(plan: Plan, target: Target, document: Any, budget: planning.Budget) 
 
     def longer(plan: Plan, *stages: Any) -> Plan:
         seconds = limits.rest(budget, began).seconds / waiting
-        part = budget.part(seconds=max(LEAST_SECONDS, seconds), seed=plan.task.budget.seed)
-        return _with_stages(plan, document, [*stages], part, target.wish.trust)
+        part = budget.part(
+            seconds=max(LEAST_SECONDS, seconds),
+            seed=plan.task.budget.seed,
+            iterations=SLIDE_ITERATIONS if stages[-1]["kind"] == "slide" else None,
+        )
+        whole = document | {"stages": [*document["stages"], *stages]}
+        task = task_from_dict(whole, FILE, resolve=True, trust=target.wish.trust)
+        return chain.continued(plan, task, part)
 
     for put, slides in ways:
+        if failed and limits.is_over(budget, began):
+            break
         there = longer(plan, put)
         waiting -= 1
         if there and not slides:
@@ -244,6 +254,8 @@ def _placed(plan: Plan, target: Target, document: Any, budget: planning.Budget) 
             failed.append((1, there, there.reason))
             waiting -= len(slides)
         for slide in slides if there else []:
+            if failed and limits.is_over(budget, began):
+                break
             found = longer(there, put, slide)
             waiting -= 1
             doubted = doubt(found, target.wish) if found else found.reason
@@ -252,15 +264,3 @@ def _placed(plan: Plan, target: Target, document: Any, budget: planning.Budget) 
             failed.append((2, found, doubted))
     _, best, why = max(failed, key=lambda one: one[0])
     return best, f"picked up, but not put down: {why}"
-
-
-def _with_stages(
-    plan: Plan, document: Any, stages: list[Any], budget: planning.Budget, trust: bool
-) -> Plan:
-    """Adds the last of some stages to a plan that has the others."""
-    whole = document | {"stages": [*document["stages"], *stages]}
-    task = task_from_dict(whole, FILE, resolve=True, trust=trust)
-    if stages[-1]["kind"] == "slide":
-        seconds, seed = budget.seconds, budget.seed
-        budget = budget.part(seconds=seconds, seed=seed, iterations=SLIDE_ITERATIONS)
-    return chain.continued(plan, task, budget)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
 
 SUFFIXES = (".ply", ".pcd", ".xyz", ".npy")
-MOST_BYTES = 4_000_000_000  # of an .npy file
+MOST_BYTES = 4_000_000_000  # of arrays in files
 LZF_RATIO = 100  # of bytes unpacked to packed, at most: three bytes make 264
 
 
@@ -70,23 +71,44 @@ def read_cloud(path: str | Path) -> Matrix:
     return np.asarray(points[is_finite])
 
 
-def read_array(path: Path) -> NDArray[Any]:
-    """Returns the array of numbers in an .npy file, which stays on the disk until it is copied.
+def array_shape(path: Path) -> tuple[int, ...]:
+    """Returns the shape of the array of numbers in an .npy file, from its header.
 
     Raises
     ------
-    Exception
-        The file is not valid, too large, or holds no numbers: numpy raises errors of many types.
+    ValueError
+        The file is not valid, states more values than it has or than are read, or holds no numbers.
     """
-    if (size := path.stat().st_size) > MOST_BYTES:
-        raise ValueError(f"holds {size} bytes; at most {MOST_BYTES} are read")
-    found = np.load(path, mmap_mode="r", allow_pickle=False)
-    if not isinstance(found, np.ndarray):
-        found.close()
-        raise ValueError("holds several arrays; their file should end with .npz")
-    if found.dtype.kind not in "fiu":
-        raise ValueError(f"holds values of type {found.dtype}, not numbers")
-    return found
+    with path.open("rb") as file:
+        if file.read(2) == b"PK":
+            raise ValueError("is an .npz archive; rename it")
+        file.seek(0)
+        try:
+            version = np.lib.format.read_magic(file)
+            header = np.lib.format.read_array_header_1_0
+            if version != (1, 0):
+                header = np.lib.format.read_array_header_2_0
+            shape, _, kind = header(file)
+        except Exception as error:  # numpy raises errors of many types
+            if not is_of_library(error):
+                raise
+            raise ValueError("its header is not that of an .npy file") from None
+        rest = path.stat().st_size - file.tell()
+    if kind.kind not in "fiu":
+        raise ValueError(f"holds values of type {kind}, not numbers")
+    count = math.prod(shape)
+    if count * kind.itemsize > rest:
+        raise ValueError(f"its header states {count} numbers, but {rest} bytes follow")
+    if 8 * count > MOST_BYTES:
+        raise ValueError(f"holds {count} numbers; at most {MOST_BYTES // 8} are read")
+    return tuple(shape)
+
+
+def read_array(path: Path) -> NDArray[Any]:
+    """Returns the array of numbers in an .npy file. Raises as `array_shape`."""
+    array_shape(path)
+    array: NDArray[Any] = np.load(path, allow_pickle=False)
+    return array
 
 
 def stated_viewpoint(path: Path) -> list[float] | None:
@@ -167,6 +189,8 @@ def _read_npy(path: Path) -> Matrix:
     found = read_array(path)
     if found.ndim not in (2, 3) or found.shape[-1] != 3:
         raise ValueError(f"the array has shape {found.shape}; it must be (N, 3) or (H, W, 3)")
+    if found.dtype.itemsize < 2:
+        raise ValueError("the array has 8 bits per value, like the colours of a picture")
     return np.array(found, dtype=float).reshape(-1, 3)
 
 

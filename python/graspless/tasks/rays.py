@@ -24,10 +24,9 @@ LARGEST = 5000  # pixels along a side
 Side = Annotated[int, Field(ge=1, le=LARGEST)]
 
 
-class RayCamera(Fields):
-    """The camera of an image of rays."""
+class PinholeCamera(Fields):
+    """A camera without distortion or skew."""
 
-    pose: Pose = Field(description="pose of the optical frame in O")
     focal: Size2 = Field(description="focal lengths along x and y [pixels]")
     center: Point2 = Field(description="principal point [pixels]")
 
@@ -36,6 +35,12 @@ class RayCamera(Fields):
         """Camera matrix [3, 3] [pixels]."""
         (fx, fy), (cx, cy) = self.focal, self.center
         return np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
+
+
+class RayCamera(PinholeCamera):
+    """The camera of an image of rays."""
+
+    pose: Pose = Field(description="pose of the optical frame in O")
 
     def image(self, ends: Matrix, clear: Matrix | None = None) -> geometry.RayImage:
         """Returns the rays of this camera. `ends`, `clear`: see geometry.RayImage."""

@@ -116,9 +116,12 @@ class Trajectory:
         if not self.joint_names or robot is None:
             raise TaskError(f"group: {shown(group)}: the plan moves no joints")
         try:
-            columns = [self.joint_names.index(robot.joint_names[j]) for j in robot.group(group)]
+            names = [robot.joint_names[j] for j in robot.group(group)]
         except ValueError as error:
             raise TaskError(f"group: {error}") from None
+        if not set(names) <= set(self.joint_names):
+            raise TaskError(f"group: {shown(group)}: the trajectory is of another group")
+        columns = [self.joint_names.index(name) for name in names]
         return replace(
             self,
             joint_names=[self.joint_names[i] for i in columns],
