@@ -102,7 +102,7 @@ def demonstrate(
 def _is_whole(path: Path) -> bool:
     """False if an episode is to be recorded: there is no file, or a crash has left a part of it."""
     try:
-        with np.load(path):
+        with path.open("rb") as file, np.load(file):
             return True
     except (EOFError, OSError, ValueError, zipfile.BadZipFile):
         return False
