@@ -59,8 +59,10 @@ def test_a_trajectory_is_written_as_it_is(tmp_path):
     assert arm.joint_names == planned_anew.joint_names[:7]
     with pytest.raises(TaskError, match="plan: a Trajectory of a group; mujoco holds the whole"):
         graspless.export(arm, tmp_path / "arm.xml", "mujoco")
-    with pytest.raises(TaskError, match="plan: a part of a Trajectory; mujoco holds all segments"):
-        graspless.export(trajectory.at([0.0, 0.1]), tmp_path / "part.xml", "mujoco")
+    for part in (trajectory.times[:9], trajectory.times[-1:]):  # before the hand closes, and after
+        graspless.export(trajectory.at(part), tmp_path / "part.xml", "mujoco")
+    model, _ = loaded(tmp_path / "part.xml")
+    assert np.array_equal(model.key_ctrl[-1], loaded(tmp_path / "own.xml")[0].key_ctrl[-1])
     for times in ([1.0, 0.5], [0.0, 0.0], [-1.0, 0.0]):
         with pytest.raises(TaskError, match="plan: its times should begin at 0 or later"):
             graspless.export(trajectory.at(times), tmp_path / "own.yaml", "ros")

@@ -65,11 +65,11 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     -----
     An action [dof], each entry from -1 to 1, holds the commands of the joints' servos for 0.02 s.
     An observation has the positions of the joints and their mean velocities since the observation
-    before [rad or m, rad/s or m/s], the
-    poses of the object now and at the end of the plan (x y z qw qx qy qz, in the world [m]), which
-    phase it is, and the time since the start of the phase and of the episode [s]. The reward is 1
-    for the last action of an episode in which the judge found no failure, else 0. The last `info`
-    has `is_success`, `failures` and `measures`, as a Trial has them.
+    before [rad or m, rad/s or m/s], the poses of the object now and at the end of the plan
+    (x y z qw qx qy qz, in the world [m]), which phase it is, and the time since the start of the
+    phase and of the episode [s]. The reward is 1 for the last action of an episode in which the
+    judge found no failure, else 0. The last `info` has `is_success`, `failures` and `measures`, as
+    a Trial has them.
 
     Raises
     ------

@@ -154,8 +154,6 @@ def _require_timed(trajectory: Trajectory, to: str, settings: dict[str, Any]) ->
         raise TaskError("plan: its times should begin at 0 or later, and increase")
     if to in SCENES and trajectory.is_of_group:
         raise TaskError(f"plan: a Trajectory of a group; {to} holds the whole robot")
-    if to in SCENES and len(np.unique(trajectory.segment_index)) < len(trajectory.segments):
-        raise TaskError(f"plan: a part of a Trajectory; {to} holds all segments")
 
 
 def _check_ending(path: str | Path, to: str) -> None:

@@ -34,13 +34,16 @@ def text(trajectory: Trajectory) -> str:
     model = compiled(spec)
     ctrl = targets(trajectory, Slide().squeeze)
     last = np.flatnonzero(np.diff(trajectory.segment_index, append=len(trajectory.segments)))
-    for name, k in zip(["start", *numbered(trajectory)], [0, *last], strict=True):
+    names = numbered(trajectory)
+    keys: list[tuple[str, int]] = [("start", 0)]
+    keys += [(names[int(trajectory.segment_index[k])], int(k)) for k in last]
+    for name, k in keys:
         key = spec.add_key(name=name, time=float(trajectory.times[k]))
         key.qpos = _qpos(model, robot, trajectory.positions[k], trajectory.object_poses[k])
         if robot is not None:
             key.ctrl = ctrl[k]
         else:
-            key.mpos = centers(trajectory, int(k)).ravel()
+            key.mpos = centers(trajectory, k).ravel()
     spec.compile()
     document: str = spec.to_xml()
     return document

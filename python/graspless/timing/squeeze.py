@@ -118,12 +118,16 @@ def _grasps(plan: Any) -> list[Any]:
 
 
 def _contact(trajectory: Trajectory, travel: float) -> tuple[int, Matrix]:
-    """Returns the sample at which the hand touches, and how far it closes on [dof]; or zeros."""
+    """Returns the sample at which the hand touches, and how far it closes on [dof]; or zeros.
+
+    A part of a trajectory may lack the segment in which the hand closes.
+    """
     grasps = _grasps(trajectory.plan)
-    if travel <= 0 or not grasps:
+    close = max((i for i, s in enumerate(trajectory.segments) if s.name == "close"), default=0)
+    if travel <= 0 or not grasps or trajectory.segment_index[-1] < close:
         return 0, np.zeros(trajectory.positions.shape[1])
     plan = grasps[-1]
-    k = int(np.flatnonzero(np.array(trajectory.names) == "close")[-1])
+    k = max(0, int(np.count_nonzero(trajectory.segment_index <= close)) - 1)
     q, robot = trajectory.positions[k], plan.task.problem.robot
     return k, np.clip(q + beyond(plan, travel), robot.lower, robot.upper) - q
 
