@@ -214,6 +214,13 @@ def test_bad_input_is_told(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_without_its_extra_no_film_is_begun(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "av", None)
+    with pytest.raises(TaskError, match="needs av: "):
+        demonstrate("Pick", tmp_path / "a", 1, images=True)
+    assert not list(tmp_path.iterdir())
+
+
 def test_the_example_learns_from_demonstrations(tmp_path):
     script = _data.directory("examples") / "clone_planner.py"
 

@@ -78,6 +78,8 @@ def demonstrate(
     if folder.exists():
         raise TaskError(f"{folder}: cannot be written: it exists already; should be a new folder")
     files.check_writable(folder)
+    if images:
+        video.encoder()  # before a folder is made
     env = PlanEnv(name, varied=varied, render_mode="rgb_array" if images else None)
     settings = {"name": name, "varied": varied, "images": images, "version": __version__}
     takes = _Takes(env, folder.with_name(f"{folder.name}.part"), settings)

@@ -73,12 +73,18 @@ def _paint(model: Any) -> None:
         model.geom_rgba[geom] = _OBJECT if is_free else _FIXED if is_fixed else _ROBOT
 
 
-def write(path: Path, pictures: Sequence[NDArray[np.uint8]], rate: int) -> None:
-    """Writes pictures [H, W, 3] as an MP4."""
+def encoder() -> Any:
+    """Returns PyAV. Raises TaskError that names its extra if it is not installed."""
     try:
         import av
     except ImportError as error:
         raise missing(error, "video") from None
+    return av
+
+
+def write(path: Path, pictures: Sequence[NDArray[np.uint8]], rate: int) -> None:
+    """Writes pictures [H, W, 3] as an MP4."""
+    av = encoder()
     os.environ.setdefault("SVT_LOG", "1")  # the encoder tells of errors alone
     with av.open(str(path), "w") as container:
         stream = container.add_stream(CODEC, rate=rate, options=_OPTIONS)
