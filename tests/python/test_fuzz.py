@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 import graspless
 from fuzz_common import ROOT, edited, fuzzed, refused_or, require_message, spliced
 from graspless import cli
-from graspless.perception.view_files import read_view
+from graspless.perception.view_files import kind_of, read_view
 from graspless.tasks.clouds import read_cloud
 
 EXAMPLES = sorted((ROOT / "examples").glob("*.yaml"))
@@ -167,7 +167,7 @@ def test_depth_images(folder, suffix, data):
     path, camera = (folder / "fuzzed").with_suffix(suffix), folder / "camera.json"
     path.write_bytes(data.draw(spliced(images()[suffix], CLOUD_WORDS)))
     camera.write_text(json.dumps(CAMERA))
-    refused_or(lambda: read_view(path, str(camera), None))
+    refused_or(lambda: read_view(path, kind_of(path), str(camera), None))
 
 
 @fuzzed
@@ -176,7 +176,7 @@ def test_files_of_cameras(folder, fields):
     path, camera = folder / "whole.png", folder / "fuzzed.json"
     path.write_bytes(images()[".png"][0])
     camera.write_bytes(json.dumps(fields).encode("utf-8", "surrogatepass"))
-    refused_or(lambda: read_view(path, str(camera), None))
+    refused_or(lambda: read_view(path, kind_of(path), str(camera), None))
 
 
 COMMANDS = ["plan", "check", "loops", "export", "view", "example", "bench", "nothing", "", "--help"]

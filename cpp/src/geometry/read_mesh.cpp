@@ -103,17 +103,15 @@ PolygonSoup read_stl(const std::string& path) {
   Bounded<Point> points;
   Bounded<Bounded<std::size_t>> polygons;
   file_size = std::filesystem::file_size(path);
-  bool is_read = false;
-  for (const bool is_binary : {true, false}) {  // CGAL looks at the text, too, unless told not to
-    if (is_read) break;
+  const auto read = [&](bool is_binary) {
     std::ifstream file(path, std::ios::binary);
     file.imbue(std::locale::classic());  // a decimal point, whatever the program's locale
     CGAL::IO::set_mode(file, is_binary ? CGAL::IO::BINARY : CGAL::IO::ASCII);
     points.clear();
     polygons.clear();
-    is_read =
-        CGAL::IO::read_STL(file, points, polygons, CGAL::parameters::use_binary_mode(is_binary));
-  }
+    return CGAL::IO::read_STL(file, points, polygons, CGAL::parameters::use_binary_mode(is_binary));
+  };
+  const bool is_read = read(true) || read(false);
   if (!is_read || (polygons.empty() && !is_empty_stl(path))) {
     throw std::invalid_argument("it is damaged, or its format does not match its extension");
   }
@@ -126,9 +124,11 @@ PolygonSoup read_stl(const std::string& path) {
 PolygonSoup read_soup(const std::string& path, const std::string& extension) {
   try {
     if (extension == ".stl") return read_stl(path);
-    std::ifstream file(path, std::ios::binary);
-    if (extension == ".obj") return read_obj(file);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    if (extension == ".obj") {
+      std::ifstream file(path, std::ios::binary);
+      return read_obj(file);
+    }
+    const std::string text = text_of(path);
     return extension == ".off" ? read_off(text) : read_ply(text);
   } catch (const std::exception& error) {
     refuse_file(path, std::string("cannot be read: ") + error.what());

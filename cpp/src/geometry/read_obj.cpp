@@ -52,7 +52,7 @@ class ObjReader {
   /// Returns the next word of the line; empty at its end or at a comment.
   std::string_view word() {
     const std::string_view found = next_word(line_, at_);
-    return found.substr(0, found.find('#') == 0 ? 0 : found.size());
+    return !found.empty() && found[0] == '#' ? std::string_view() : found;
   }
 
   Eigen::Vector3d vertex() {

@@ -111,10 +111,10 @@ def require_used(options: argparse.Namespace, *urdfs: Path) -> None:
 
 def faults_of(robot: Robot, file: Path) -> list[str]:
     """Returns what is wrong with a file of a hand, for slides or for clasps."""
-    from .._core.clasp import hand_from_yaml_file
     from ..inspection import check
     from ..tasks.clasp.hand import Hand as ClaspHand
     from ..tasks.clasp.hand import build_hand as build_clasp_hand
+    from ..tasks.clasp.hand import stated_hand
     from ..tasks.reading import read_yaml
     from ..tasks.slide.build import build_hand
     from ..tasks.slide.model import Hand
@@ -123,7 +123,7 @@ def faults_of(robot: Robot, file: Path) -> list[str]:
     if "thumb" in source.given():
         fields = source.validate(ClaspHand)
         build_clasp_hand(fields, robot, source, ())  # raises if it is not valid
-        return check.clasp_faults(robot, hand_from_yaml_file(str(file)))
+        return check.clasp_faults(robot, stated_hand(fields))
     given = source.validate(Hand)
     return check.faults(robot, build_hand(given, robot, source), given.pitch)
 

@@ -93,17 +93,15 @@ def _jaw_curve(tree: Tree, palm: str, finger: Finger, jaws: Jaws, tip: Tip) -> l
 
 def _inside(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> Matrix:
     """Returns the point next to p in the boxes around the shapes of a link, INSIDE their sides."""
-    best = p_W
+    found: list[Matrix] = []
     for placed in (placed for index, placed in tree.robot.shapes if index == link):
         points = shape_points(placed.shape)
         low, high = points.min(axis=0), points.max(axis=0)
         inset = np.minimum(INSIDE, (high - low) / 2)
         X_WG = X_WL[link] @ placed.X_BG
-        p_G = np.linalg.inv(X_WG) @ [*p_W, 1.0]
-        near = frames.transform(X_WG, np.clip(p_G[:3], low + inset, high - inset))
-        if best is p_W or np.linalg.norm(near - p_W) < np.linalg.norm(best - p_W):
-            best = near
-    return np.asarray(best)
+        p_G = frames.transform(np.linalg.inv(X_WG), p_W)
+        found.append(frames.transform(X_WG, np.clip(p_G, low + inset, high - inset)))
+    return min(found, key=lambda p: float(np.linalg.norm(p - p_W)), default=p_W)
 
 
 def _node(tree: Tree, X_WL: Matrix, link: int, p_W: Matrix) -> dict[str, Any]:

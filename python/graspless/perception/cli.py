@@ -101,7 +101,7 @@ def _run(options: argparse.Namespace) -> int:
     cameras = _each(options.files, kinds, "image", "--camera", options.camera)
     viewpoints = _each(options.files, kinds, "cloud", "--viewpoint", options.viewpoint)
     views = [
-        read_view(Path(path), cameras.get(k), viewpoints.get(k))
+        read_view(Path(path), kinds[k], cameras.get(k), viewpoints.get(k))
         for k, path in enumerate(options.files)
     ]
     for path, given in zip(options.files, views, strict=True):

@@ -68,13 +68,15 @@ def kind_of(path: Path) -> str:
     return "arrays" if suffix == ".npz" else "image" if suffix in IMAGES else "cloud"
 
 
-def read_view(path: Path, camera: str | None, viewpoint: list[float] | None) -> View:
+def read_view(path: Path, kind: str, camera: str | None, viewpoint: list[float] | None) -> View:
     """Reads one view.
 
     Parameters
     ----------
     path : Path
         An .npz file of arrays, a depth image, or a cloud in the world.
+    kind : str
+        Its `kind_of`.
     camera : str or None
         File of the camera of a depth image.
     viewpoint : list of float or None
@@ -85,7 +87,6 @@ def read_view(path: Path, camera: str | None, viewpoint: list[float] | None) -> 
     TaskError
         A file is missing or not valid; names file, array or field, and shape.
     """
-    kind = kind_of(path)
     with told(str(path)):
         if kind == "arrays":
             return _view_of_arrays(path)
@@ -154,9 +155,8 @@ def _image_of(path: Path) -> NDArray[Any]:
                 _require_few(image.width * image.height)
                 if (pages := getattr(image, "n_frames", 1)) > 1:
                     raise ValueError(f"has {pages} pages; a depth image has one")
-                if image.mode == "F" or image.mode.startswith("I;16"):
-                    return np.array(image)
-                if image.mode == "I" and image.format == "PNG":  # 16 bits, by older Pillows
+                is_old = image.mode == "I" and image.format == "PNG"  # 16 bits, by older Pillows
+                if image.mode == "F" or image.mode.startswith("I;16") or is_old:
                     return np.array(image)
                 raise ValueError(
                     f"has pixels of type {image.mode}; those of a depth image are integers of 16 "

@@ -180,8 +180,8 @@ def _budget_of(
         if not math.isfinite(seconds):
             raise TaskError(f"seconds: {seconds}: should be finite")
         seed = require_integer("seed", 1 if seed is None else seed, least=0, most=2**64 - 1)
-        budget = planning.Budget(seconds=seconds, seed=seed)
-    elif (seconds, seed) != (None, None):
+        return planning.Budget(seconds=seconds, seed=seed)
+    if (seconds, seed) != (None, None):
         raise TaskError("budget: seconds and seed must not be given beside it")
     require_type("budget", budget, planning.Budget)
     require_finite(budget)

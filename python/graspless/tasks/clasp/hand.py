@@ -96,6 +96,16 @@ def build_hand(
     fields: Hand, robot: robots.Robot, source: Source, place: tuple[str, ...]
 ) -> clasp.Hand:
     """Returns the planner's hand. Error messages name the field at `place` of `source`."""
+    try:
+        hand = clasp.with_palm_corners(stated_hand(fields), robot)
+        clasp.validate(hand, robot)
+    except ValueError as error:
+        raise blamed(source, str(error), _places(fields, place)) from None
+    return hand
+
+
+def stated_hand(fields: Hand) -> clasp.Hand:
+    """Returns the hand as its file has it, without palm corners."""
     names = {
         name: value
         for name in ("arm", "hand", "closed")
@@ -104,7 +114,7 @@ def build_hand(
     if fields.open is not None:
         first, *others = [fields.open] if isinstance(fields.open, str) else fields.open
         names |= {"open": first, "pre_shapes": others}
-    hand = clasp.Hand(
+    return clasp.Hand(
         frame=fields.frame,
         forward_H=_unit(fields.forward),
         sideways_H=_unit(fields.sideways),
@@ -112,12 +122,6 @@ def build_hand(
         thumb=_finger("thumb", fields.thumb),
         **names,
     )
-    try:
-        hand = clasp.with_palm_corners(hand, robot)
-        clasp.validate(hand, robot)
-    except ValueError as error:
-        raise blamed(source, str(error), _places(fields, place)) from None
-    return hand
 
 
 def hand_of(plan: Plan) -> clasp.Hand:
