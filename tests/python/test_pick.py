@@ -156,6 +156,26 @@ def test_other_objects_are_obstacles(scene, names):
     assert not alone.plan.stages[0].task.problem.obstacles
 
 
+def test_given_obstacles_are_kept_clear_of(scene, names):
+    X_WO = next(thing.X_WO for thing in scene.objects if thing.name == names["bar"])
+    x, y = map(float, X_WO[:2, 3])
+    ceiling = {"name": "ceiling", "box": [0.3, 0.3, 0.02], "pose": {"position": [x, y, 2.0]}}
+    lamp = {"name": "lamp", "sphere": {"radius": 0.05}, "pose": {"position": [x, y, 1.5]}}
+    found = graspless.pick(scene, names["bar"], "wam_t42", obstacles=[ceiling], respect="nothing")
+    assert found, found.reason
+    kept = [{body.name for body in stage.task.problem.obstacles} for stage in found.plan.stages]
+    assert kept == [{"ceiling"}, {"ceiling", "support"}]
+    lid = [ceiling | {"pose": {"position": [x, y, 0.12]}}]
+    under = graspless.pick(
+        scene, names["bar"], "wam_t42", obstacles=lid, strategies=["pinch"], seconds=1.0
+    )
+    assert under.reason.endswith("collision of hand_base with ceiling")
+    both = graspless.pick(scene, names["bar"], "wam_t42", obstacles=[ceiling, lamp])
+    all_of_them = {"ceiling", "lamp", f"scene {names['card']}", f"scene {names['block']}"}
+    kept = [{body.name for body in stage.task.problem.obstacles} for stage in both.plan.stages]
+    assert kept == [all_of_them, all_of_them | {"support"}]
+
+
 def test_what_lies_on_something_is_refused(scene, names):
     under = next(thing for thing in scene.objects if thing.name == names["block"])
     lying = perception.Object(
@@ -481,6 +501,13 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
         ({"best_of": 0}, "best_of"),
         ({"seconds": -1.0}, "seconds"),
         ({"respect": "all"}, "respect: all: should be one of"),
+        ({"obstacles": [{"name": "wall"}]}, r"pick: obstacles\[0\]: exactly one of box, "),
+        ({"obstacles": 3}, "pick: obstacles: 3: should be a"),
+        ({"obstacles": {"name": "wall"}}, r"pick: obstacles: \{.*: should be a valid list"),
+        (
+            {"obstacles": [{"name": "wall", "mesh": {"file": "none.stl"}}]},
+            r"pick: obstacles\[0\].mesh.file: none.stl: no such file",
+        ),
     ],
 )
 def test_mistakes_are_named(scene, names, given, words):
@@ -795,6 +822,25 @@ def test_an_old_scene_is_refused(scene, names, tmp_path):
     assert asked(60, max_age=None)
     with pytest.raises(TaskError, match="max_age: 0"):
         asked(0, max_age=0.0)
+
+
+def test_a_task_file_with_obstacles(scene, names, tmp_path, capsys, monkeypatch):
+    perception.save_scene(scene, tmp_path / "scene.yaml")
+    (tmp_path / "wall.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0 0.1 0\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n"
+    )
+    task = tmp_path / "pick.yaml"
+    wall = "obstacles:\n- {name: wall, mesh: {file: wall.obj}, pose: {position: [0, 1, 0]}}\n"
+    head = f"kind: pick\nscene: scene.yaml\nname: {names['bar']}\nrobot: {{urdf: wam_t42}}\n"
+    task.write_text(head + wall)
+    monkeypatch.chdir(tmp_path.parent)  # paths of a task file are relative to it
+    assert main(["pick", str(task), "-o", str(tmp_path / "plan.json")]) == 0
+    plan = graspless.load_plan(tmp_path / "plan.json")
+    assert "wall" in {body.name for body in plan.stages[0].task.problem.obstacles}
+    capsys.readouterr()
+    task.write_text(head + wall.replace("wall.obj", "walls.obj"))
+    assert main(["pick", str(task)]) == 2
+    assert "pick.yaml:6: obstacles[0].mesh.file: walls.obj: no such" in capsys.readouterr().err
 
 
 def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeypatch):

@@ -28,7 +28,7 @@ from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
 from .robots import labelled, require_found
 from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
-from .wish import read_scene, stale, wish_of
+from .wish import obstacles_of, read_scene, stale, wish_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,6 +52,7 @@ def pick(
     lift: float = 0.1,
     respect: Respect = "objects",
     padding: float = 0.0,
+    obstacles: Sequence[Mapping[str, Any]] = (),
     mass: float | None = None,
     grip_force: float | None = None,
     max_age: float | None = None,
@@ -92,6 +93,9 @@ def pick(
         Obstacles besides the support: nothing, objects or unseen, as in task files.
     padding : float
         Distance that the robot and the object keep from the other objects [m].
+    obstacles : sequence of dict
+        Further bodies that nothing may touch, such as walls that no camera saw: the field
+        `obstacles` of a task file.
     mass : float, optional
         Mass of the object [kg], which grasps must bear and slides count with. Needed to tumble and
         push it.
@@ -145,11 +149,12 @@ def pick(
         scene, file = read_scene(scene)
         robots = labelled(robot)
         require_found(list(robots.values()))
+        further = obstacles_of(obstacles)
         wishes = {
             label: wish_of(
                 scene, file, name, one,
-                lift=lift, respect=respect, padding=padding, mass=mass, grip_force=grip_force,
-                trust=trust,
+                obstacles=further, lift=lift, respect=respect, padding=padding, mass=mass,
+                grip_force=grip_force, trust=trust,
             )
             for label, one in robots.items()
         }  # fmt: skip

@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 from ..errors import one_of
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
+from ..tasks.obstacles import Obstacles, resolve_obstacles
 from ..tasks.reading import read_yaml
 from ..tasks.scenes import PADDING, RESPECT, Respect
 from ..tasks.shapes import Fields, Padding, Positive
@@ -19,6 +20,7 @@ from ..tasks.source import Source
 from ..tasks.units import warn_of_units
 from .place_fields import Place
 from .strategies import STRATEGIES
+from .wish import documents
 
 BUDGET = ("seconds", "seed")  # of several searches of several kinds
 
@@ -40,6 +42,9 @@ class PickTask(Fields):
     lift: Positive = Field(default=0.1, description="height of the lift [m]")
     respect: Respect = Field(default="objects", description=RESPECT)
     padding: Padding = Field(default=0.0, description=PADDING)
+    obstacles: Obstacles = Field(
+        default=[], description="further bodies that nothing may touch, as in all tasks"
+    )
     max_age: Positive | None = Field(
         default=None, description="largest age of the images of the scene [s]"
     )
@@ -76,6 +81,7 @@ def read_pick(path: str) -> dict[str, Any] | None:
     warn_of_units(fields, source)
     given = fields.model_dump(exclude={"kind", "budget", "robots"}) | {"place": fields.place}
     given["scene"] = str(directory / fields.scene)
+    given["obstacles"] = documents(resolve_obstacles(fields.obstacles, source, directory))
     given["robot"] = absolute(fields.robots or fields.robot, directory)
     budget = fields.budget.model_dump(exclude_none=True)
     for name in budget.keys() - BUDGET:

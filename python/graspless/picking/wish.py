@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -19,6 +19,7 @@ from ..errors import TaskError, should_be
 from ..perception import Scene
 from ..tasks import scenes
 from ..tasks.documents import rows_of
+from ..tasks.obstacles import Obstacles, resolve_obstacles
 from ..tasks.rays import rays_fields
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot, build_robot
@@ -41,6 +42,12 @@ class RobotOnly(Fields):
     """A document with a robot."""
 
     robot: Robot
+
+
+class ObstaclesOnly(Fields):
+    """A document with obstacles."""
+
+    obstacles: Obstacles
 
 
 @dataclass(frozen=True)
@@ -129,6 +136,13 @@ def robot_of(given: dict[str, Any], file: str, *, trust: bool = False) -> robots
     return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
 
+def obstacles_of(given: Any) -> list[dict[str, Any]]:
+    """Returns the field `obstacles` of a pick, with absolute paths of meshes."""
+    source = Source(FILE, {"obstacles": list(given) if isinstance(given, tuple) else given})
+    fields = source.validate(ObstaclesOnly)
+    return documents(resolve_obstacles(fields.obstacles, source, Path.cwd()))
+
+
 def wish_of(
     scene: Scene,
     file: str,
@@ -139,6 +153,7 @@ def wish_of(
     respect: str,
     mass: float | None,
     padding: float = 0.0,
+    obstacles: Sequence[dict[str, Any]] = (),
     grip_force: float | None = None,
     trust: bool = False,
 ) -> Wish:
@@ -156,6 +171,10 @@ def wish_of(
     source = Source(file, {"name": name})
     thing = scenes.named(scene.objects, name, source, ("name",))
     support = scenes.named(scene.supports, thing.support, source, ("name",))
+
+    def seen(*, has_support: bool) -> list[dict[str, Any]]:
+        return documents(scenes.obstacles(scene, thing, respect, has_support, padding))
+
     fields = dict(robot) if isinstance(robot, Mapping) else {"urdf": str(robot)}
     return Wish(
         thing=thing,
@@ -166,12 +185,8 @@ def wish_of(
         lift=float(lift),
         mass=mass,
         grip_force=grip_force,
-        beside=documents(
-            scenes.obstacles(scene, thing, respect, has_support=False, padding=padding)
-        ),
-        around=documents(
-            scenes.obstacles(scene, thing, respect, has_support=True, padding=padding)
-        ),
+        beside=[*obstacles, *seen(has_support=False)],
+        around=[*obstacles, *seen(has_support=True)],
         trust=trust,
         padding=padding,
     )
