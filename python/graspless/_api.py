@@ -27,103 +27,42 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
+    from typing_extensions import TypedDict, Unpack
+
     from . import carry, clasp, fingertip, pinch, slide
     from ._plan import Plan
     from .scene import EdgeCertificate
     from .tasks import PlanT, Task
 
+    class Given(TypedDict, total=False):
+        """Parameters of `plan` beside the task."""
+
+        search: str | None
+        seconds: float | None
+        iterations: int | None
+        seed: int | None
+        budget: planning.Budget | None
+        certify: bool
+        prove: int | None
+        jobs: int
+
 
 @overload
-def plan(
-    task: Task[Any, Any, PlanT],
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> PlanT: ...
+def plan(task: Task[Any, Any, PlanT], **given: Unpack[Given]) -> PlanT: ...
 @overload
 def plan(  # type: ignore[overload-overlap]  # a pinch.Problem is a slide.Problem, too
-    task: pinch.Problem,
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
+    task: pinch.Problem, **given: Unpack[Given]
 ) -> pinch.Plan: ...
 @overload
-def plan(
-    task: slide.Problem,
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> slide.Plan: ...
+def plan(task: slide.Problem, **given: Unpack[Given]) -> slide.Plan: ...
 @overload
-def plan(
-    task: fingertip.Problem,
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> fingertip.Plan: ...
+def plan(task: fingertip.Problem, **given: Unpack[Given]) -> fingertip.Plan: ...
 @overload
-def plan(
-    task: clasp.Problem,
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> clasp.Plan: ...
+def plan(task: clasp.Problem, **given: Unpack[Given]) -> clasp.Plan: ...
 @overload
-def plan(
-    task: carry.Problem,
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> carry.Plan: ...
+def plan(task: carry.Problem, **given: Unpack[Given]) -> carry.Plan: ...
 @overload
-def plan(
-    task: str | Path | Mapping[str, Any],
-    *,
-    search: str | None = None,
-    seconds: float | None = None,
-    iterations: int | None = None,
-    seed: int | None = None,
-    budget: planning.Budget | None = None,
-    certify: bool = False,
-    prove: int | None = None,
-    jobs: int = 1,
-) -> Plan: ...
+def plan(task: str | Path | Mapping[str, Any], **given: Unpack[Given]) -> Plan: ...
 def plan(
     task: Any,
     *,

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._core import geometry
 from .errors import TaskError, explain, missing
+from .files import make_folder, write
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -154,11 +155,6 @@ def _cache() -> Path:
 
 def _keep(path: Path, data: bytes) -> None:
     """Writes a file to the cache, if that is possible."""
-    temporary = path.with_name(f".{path.name}.{os.urandom(4).hex()}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_bytes(data)
-        temporary.replace(path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            temporary.unlink()
+    with contextlib.suppress(TaskError):
+        make_folder(path.parent)
+        write(path, data)

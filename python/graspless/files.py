@@ -18,17 +18,26 @@ if TYPE_CHECKING:
 LONGEST = 4096  # characters of a path: longer text is no path, but perhaps the content of a file
 
 
+@contextlib.contextmanager
+def writing(path: str | Path) -> Iterator[None]:
+    """Turns an OSError of the system, while `path` is written, into a TaskError."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
+        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+
+
 def check_writable(path: str | Path) -> None:
     """Raises TaskError unless `path` can be written: asked before work that would be lost."""
     path = as_path(path)
     _check_place(path)
-    try:
+    with writing(path):
         if not path.exists() or path.is_file():
             handle, temporary = _make_temporary(path)
             os.close(handle)
             temporary.unlink()
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def absence(path: str | Path) -> str:
@@ -49,23 +58,17 @@ def as_path(path: object) -> Path:
 def _check_place(path: Path) -> None:
     """Raises TaskError unless the folder exists and the file can be written."""
     try:
-        path.stat()
-    except FileNotFoundError:
-        pass
-    except OSError as error:  # a loop of links, a name that is too long
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+        with writing(path), contextlib.suppress(FileNotFoundError):
+            path.stat()  # fails for a loop of links, and for a name that is too long
     except ValueError as error:
         raise TaskError(f"{str(path)!r}: cannot be written: {error}") from None
     if path.is_dir():
         raise TaskError(f"{path}: cannot be written: is a folder")
     if not path.parent.is_dir():
         raise TaskError(f"{path}: cannot be written: there is no folder {path.parent}")
-    try:
-        if path.exists():
-            with path.open("ab"):
-                pass
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+    if path.exists():
+        with writing(path), path.open("ab"):
+            pass
 
 
 def _make_temporary(path: Path, mode: int = 0o600) -> tuple[int, Path]:
@@ -87,7 +90,7 @@ def write(path: str | Path, content: str | bytes) -> None:
     path = as_path(path)
     data = content.encode() if isinstance(content, str) else content
     _check_place(path)
-    try:
+    with writing(path):
         if path.exists() and not path.is_file():  # a pipe or device must not be replaced
             path.write_bytes(data)
             return
@@ -103,8 +106,6 @@ def write(path: str | Path, content: str | bytes) -> None:
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def to_stdout(text: str) -> None:
@@ -116,20 +117,17 @@ def to_stdout(text: str) -> None:
 
 def make_folder(path: Path) -> None:
     """Makes a folder and its parents; raises TaskError."""
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except FileExistsError:
-        raise TaskError(f"{path}: cannot be written: is a file, not a folder") from None
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+    with writing(path):
+        try:
+            path.mkdir(parents=True, exist_ok=True)
+        except FileExistsError:
+            raise TaskError(f"{path}: cannot be written: is a file, not a folder") from None
 
 
 def set_aside(path: Path) -> Path:
     """Renames a file, whose place another one takes, to its name with ~; raises TaskError."""
-    try:
+    with writing(f"{path}~"):
         return path.replace(path.with_name(f"{path.name}~"))
-    except OSError as error:
-        raise TaskError(f"{path}~: cannot be written: {error.strerror}") from None
 
 
 _places: set[Path] = set()  # folders of `beside`
@@ -141,15 +139,15 @@ def beside(path: str | Path) -> Iterator[Path]:
     import tempfile  # is not needed to write a plan
 
     path = Path(path)
-    try:
-        with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place:
-            _places.add(Path(place))
-            try:
-                yield Path(place)
-            finally:
-                _places.discard(Path(place))
-    except OSError as error:
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+    with (
+        writing(path),
+        tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.name}.") as place,
+    ):
+        _places.add(Path(place))
+        try:
+            yield Path(place)
+        finally:
+            _places.discard(Path(place))
 
 
 def remove_places() -> None:

@@ -204,6 +204,16 @@ def test_ctrl_c_in_a_trial_returns_the_best_plan(task, engine, tmp_path, capsys)
     assert graspless.load_plan(tmp_path / "plan.json").proof == plan.proof
 
 
+def test_ctrl_c_between_two_searches_returns_the_best_plan(task, engine, monkeypatch):
+    def interrupted(self, plan):
+        raise KeyboardInterrupt
+
+    engine(lambda plan, variation: ["fell"])
+    monkeypatch.setattr(proving._Candidates, "learn", interrupted)
+    plan = graspless.plan(task, prove=1)
+    assert (plan.proof.plans, plan.proof.ended) == (1, "interrupted")
+
+
 def test_ctrl_c_in_the_first_search_is_ctrl_c(task, engine, monkeypatch):
     engine(lambda plan, variation: ["fell"])
     searches = []

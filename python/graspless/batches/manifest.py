@@ -60,11 +60,9 @@ class Log:
         self._write(encoded(row))
 
     def _write(self, data: bytes) -> None:
-        try:
+        with files.writing(self._path):
             while data:
                 data = data[self._file.write(data) :]
-        except OSError as error:
-            raise TaskError(f"{self._path}: cannot be written: {error.strerror}") from None
 
     def close(self) -> None:
         self._file.close()

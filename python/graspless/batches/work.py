@@ -268,6 +268,4 @@ def _watch(seconds: float) -> None:
     faulthandler.dump_traceback_later(min(seconds, FOREVER), exit=True, file=_nowhere)
 
 
-_nowhere: int | None = (
-    None  # a descriptor that stays open, as the watchdog may write to it at any time
-)
+_nowhere: int | None = None  # a descriptor that stays open: the watchdog may write at any time

@@ -71,12 +71,10 @@ def run(name: str | None, directory: Path | None = None) -> bool:
 def _copy(source: Path, directory: Path) -> Path:
     """Copies a task, and the data files of the same name, into a folder of the user."""
     files.make_folder(directory)
-    try:
+    with files.writing(directory):
         for path in source.parent.glob(f"{source.stem}.*"):
             if path.suffix != ".py":
                 shutil.copy(path, directory / path.name)
-    except OSError as error:
-        raise TaskError(f"{directory}: cannot be written: {error.strerror}") from None
     return directory / source.name
 
 

@@ -29,6 +29,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `pick`."""
     import argparse as parsers
 
+    from .._pictures import add_pictures
+
     parser.formatter_class = parsers.RawDescriptionHelpFormatter
     parser.description = (
         "Plan how a robot picks up an object of a scene: pinch it where it stands, pinch a wall\n"
@@ -114,10 +116,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_packages(parser)
     add_trust(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
-    parser.add_argument("--png", metavar="FILE", help="write a picture to FILE")
-    parser.add_argument(
-        "--html", metavar="FILE", help="write a replay to FILE: a single page for any browser"
-    )
+    add_pictures(parser)
     parser.set_defaults(run=_run)
 
 

@@ -62,7 +62,7 @@ def tumbles(block: Block, base: Matrix) -> list[Move]:
             outward = sign * X_WB[:3, k]
             point, axis = below + block.size[k] / 2 * outward, np.cross(UP, outward)
             tumble = {
-                "pose": _pose(X_WB),
+                "pose": pose_fields(X_WB),
                 "point": [float(value) for value in point],
                 "axis": [float(value) for value in axis],
                 "angle": np.pi / 2,
@@ -85,14 +85,14 @@ def pushes(block: Block, base: Matrix) -> list[Move]:
             along = distance * np.array([np.cos(angle), np.sin(angle), 0.0])
             count = int(np.ceil(distance / STEP))
             translation = [float(value) for value in along]
-            slide = {"pose": _pose(X_WB), "translation": translation, "segments": count}
+            slide = {"pose": pose_fields(X_WB), "translation": translation, "segments": count}
             words = _towards(f"pushed {100 * distance:.0f} cm", along)
             goal = block.moved(frames.translation(translation))
             found.append((distance, Move(words, {"slide": slide}, goal)))
     radius = float(np.linalg.norm(block.sides)) / 2
     for angle in TURNS:
         count = int(np.ceil(abs(angle) / TURN_STEP))
-        turn = {"pose": _pose(X_WB), "angle": float(angle), "segments": count}
+        turn = {"pose": pose_fields(X_WB), "angle": float(angle), "segments": count}
         words = f"turned by {np.degrees(angle):.0f} deg"
         goal = block.moved(_turn(X_WB[:3, 3], UP, float(angle)))
         found.append((radius * abs(angle), Move(words, {"turn": turn}, goal)))
@@ -127,10 +127,6 @@ def misplaced(move: Move, wish: Wish) -> str:
 
 def _edge(depth: float) -> str:
     return f"{1000 * abs(depth):.0f} mm {'beyond' if depth < 0 else 'from'}"
-
-
-def _pose(X: Matrix) -> dict[str, list[float]]:
-    return pose_fields(X)
 
 
 def _turn(point: Matrix, axis: Matrix, angle: float) -> Matrix:

@@ -31,9 +31,8 @@ if TYPE_CHECKING:
 # Slides press at random places, and clasps hold at random places what shall be put down. A pinch is
 # the same with every seed.
 SEEDS = {"pinch": 1, "rim": 1, "slide": 8, "clasp": 4}
-SLIDE_ITERATIONS = (
-    800  # of a slide to a place: hundreds of starts, all with the goal that fits them
-)
+# Of a slide to a place: hundreds of starts, all with the goal that fits them.
+SLIDE_ITERATIONS = 800
 APART = 2**32  # between their seeds: those of `best_of` follow each other
 
 

@@ -107,41 +107,42 @@ class _Search:
         self._ended = self._error = ""
 
     def run(self) -> None:
-        """Searches and simulates until a plan holds, or no more are to come."""
+        """Searches and simulates until a plan holds, or no more are to come.
+
+        Ctrl-C ends it once there is a plan.
+        """
         repeated = 0
-        while not self._ended and repeated < MOST_REPEATED:
-            plan = self._next()
-            if plan is None:
-                break
-            digest = digest_of(plan) if plan else ""
-            if self._best is None and not plan:
-                self._best, self._ended = plan, str(plan.status)
-            elif not plan or digest in self._seen:
-                repeated += 1
-            else:
-                repeated = 0
-                self._seen.add(digest)
-                self._try(plan)
-            self._candidates.learn(plan)
+        try:
+            while not self._ended and repeated < MOST_REPEATED:
+                plan = self._next()
+                if plan is None:
+                    break
+                digest = digest_of(plan) if plan else ""
+                if self._best is None and not plan:
+                    self._best, self._ended = plan, str(plan.status)
+                elif not plan or digest in self._seen:
+                    repeated += 1
+                else:
+                    repeated = 0
+                    self._seen.add(digest)
+                    self._try(plan)
+                self._candidates.learn(plan)
+        except KeyboardInterrupt:
+            if self._best is None:
+                raise
+            self._ended = self._ended or "interrupted"
         self._ended = self._ended or "no_other_plan"
 
     def _next(self) -> Any:
         """Searches for the next plan, first as without trials. None means that the search ended."""
-        is_first = self._best is None
         left = self._deadline - time.monotonic()
-        if not is_first and (left <= 0 or self._budget.is_stopped):
+        if self._best is not None and (left <= 0 or self._budget.is_stopped):
             self._ended = "interrupted" if self._budget.is_stopped else "out_of_time"
             return None
         task = self._candidates.task
         seconds = max(1e-9, min(left, task.budget.seconds))
-        try:
-            search = plan_type(task.kind)._search
-            return search(task, self._budget.part(seconds=seconds, seed=task.seed))
-        except KeyboardInterrupt:
-            if is_first:
-                raise
-            self._ended = "interrupted"
-            return None
+        search = plan_type(task.kind)._search
+        return search(task, self._budget.part(seconds=seconds, seed=task.seed))
 
     def _try(self, plan: Any) -> None:
         """Simulates a plan, and keeps it if it holds in more trials than the best one."""

@@ -11,8 +11,8 @@ import numpy as np
 from .. import geometry
 from ..errors import TaskError
 from .obstacles import OF_SCENE
-from .shapes import Obstacle, Pose, Shape
-from .statement import pose_fields
+from .shapes import Obstacle, Shape
+from .statement import pose_of
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -96,7 +96,7 @@ def obstacles(
     found = [
         Obstacle(name=f"{OF_SCENE}{other.name}",
                  parts=_prisms(outline_of(other), 0.0, other.thickness),
-                 pose=_pose(other.X_WO), padding=padding)
+                 pose=pose_of(other.X_WO), padding=padding)
         for other in scene.objects
         if other.name != thing.name
     ]  # fmt: skip
@@ -120,7 +120,7 @@ def obstacles(
 def slab(support: Support, top: float = 0.0) -> Obstacle:
     """Returns a support as an obstacle; `top` is the height of its upper face in S [m]."""
     parts = _prisms(support.polygon, top - SLAB, top)
-    return Obstacle(name=f"{OF_SCENE}{support.name}", parts=parts, pose=_pose(support.X_WS))
+    return Obstacle(name=f"{OF_SCENE}{support.name}", parts=parts, pose=pose_of(support.X_WS))
 
 
 def is_of_scene(name: str) -> bool:
@@ -148,10 +148,6 @@ def _prisms(corners: Matrix, low: float, high: float) -> list[Shape]:
         Shape(convex=[[float(x), float(y), z] for z in (low, high) for x, y in part.vertices])
         for part in geometry.Polygon(corners).convex_parts()
     ]
-
-
-def _pose(X: Matrix) -> Pose:
-    return Pose(**pose_fields(X))
 
 
 def planar_pose(X_WS: Matrix, X_WO: Matrix) -> dict[str, float]:

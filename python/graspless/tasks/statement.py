@@ -17,6 +17,7 @@ from ..kinds import part
 from .effective_values import in_force, plain
 from .meshes import checksums
 from .robots import robot_meshes
+from .shapes import Pose
 from .source import Source
 
 if TYPE_CHECKING:
@@ -69,6 +70,11 @@ def pose_fields(X: Matrix) -> dict[str, Any]:
     """Returns a pose as task files write it."""
     row = frames.to_row(X)
     return {"position": row[:3], "quaternion": row[3:]}
+
+
+def pose_of(X: Matrix) -> Pose:
+    """Returns a pose as the field of a task."""
+    return Pose(**pose_fields(X))
 
 
 def obstacle_fields(obstacles: Sequence[Any]) -> list[dict[str, Any]]:

@@ -60,6 +60,8 @@ def expand(path: Path, words: dict[str, str], packages: dict[str, str], trust: b
     except subprocess.TimeoutExpired:
         raise ValueError(f"xacro cannot expand it within {SECONDS} s") from None
     except OSError as error:
+        if error.errno is None:  # a TimeoutError of the program
+            raise
         raise ValueError(f"xacro cannot be started: {error.strerror}") from None
     try:
         told = json.loads(done.stdout)

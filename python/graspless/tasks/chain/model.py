@@ -22,7 +22,7 @@ SHARED = (
 
 
 class Options(Fields):
-    """Returns the options of the search."""
+    """Options of the search: docs/reference/options.md."""
 
     attempts: Annotated[int, Field(ge=1, le=1000)] = Field(
         default=5,

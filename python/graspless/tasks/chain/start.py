@@ -14,10 +14,11 @@ from ... import frames
 from ..carry.model import Object
 from ..robots import robot_meshes
 from ..scenes import planar_pose
-from ..shapes import PlanarPose, Pose
+from ..shapes import PlanarPose
 from ..slide.build import build_object
 from ..slide.resolve import support_pose
 from ..source import at
+from ..statement import pose_of
 from .joints import ON_SUPPORT
 from .lying import SAME, lying
 
@@ -88,9 +89,7 @@ class State:
 
 
 def hold_place(stage: StageSource) -> None:
-    """Raises TaskError if a later stage gives its own start. Otherwise adds a placeholder for
-    it.
-    """
+    """Adds a placeholder for the start of a later stage; raises TaskError if it has its own."""
     own, above = stage.parts[0]
     for place in _starts(stage.data):
         if own.depth((*above, *place)) == len(above) + len(place):
@@ -159,17 +158,17 @@ def _flat(fields: Any, X_WO: Matrix) -> PlanarPose:
 
 
 def _clasp(fields: Any, state: State) -> dict[str, Any]:
-    return {"object": fields.object.model_copy(update={"pose": as_pose(state.X_WO)})}
+    return {"object": fields.object.model_copy(update={"pose": pose_of(state.X_WO)})}
 
 
 def _fingertip(fields: Any, state: State) -> dict[str, Any]:
     """Returns the motion with its first pose. The model ensures that there is one motion."""
-    motion, pose = fields.motion, as_pose(state.X_WO)
-    name = next(name for name in type(motion).model_fields if getattr(motion, name) is not None)
+    motion, pose = fields.motion, pose_of(state.X_WO)
+    name = motion.first_of()
     moved = getattr(motion, name)
     if name == "sequence":
         first = moved[0]
-        step = next(n for n in type(first).model_fields if getattr(first, n) is not None)
+        step = first.first_of()
         started = getattr(first, step).model_copy(update={"pose": pose})
         moved = [first.model_copy(update={step: started}), *moved[1:]]
     else:
@@ -193,11 +192,11 @@ def _carry(fields: Any, state: State) -> Any:
         "arm": held.arm,
         "frame": held.frame,
         "object": thing,
-        "pose": as_pose(state.X_WO),
+        "pose": pose_of(state.X_WO),
         "support": support,
     }
     if not fields.rests_on and (X_WO := held.hanging()) is not None:
-        update["hanging"] = as_pose(X_WO)
+        update["hanging"] = pose_of(X_WO)
         if fields.place is not None:
             down = state.X_WO[:3, :3].T @ sinking(held.points, state.X_WO, X_WO)
             update["down"] = down.tolist()
@@ -218,7 +217,7 @@ def sinking(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> Matrix:
 
     It leads down by `LEAST_DOWN` at least, and sideways no more than down.
     """
-    stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (X_WO, X_WO_hanging))
+    stands, hangs = (frames.transform(X, points) for X in (X_WO, X_WO_hanging))
     bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
     way: Matrix = (hangs - stands)[bottom].mean(axis=0)
     down = max(LEAST_DOWN, float(stands[:, 2].min() - hangs[:, 2].min()))
@@ -227,18 +226,12 @@ def sinking(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> Matrix:
     return way
 
 
-def as_pose(X: Matrix) -> Pose:
-    """A pose as task files write it."""
-    row = frames.to_row(X)
-    return Pose(position=row[:3], quaternion=row[3:])
-
-
 def off_place(points: Matrix, X_WO: Matrix, X_WO_hanging: Matrix) -> float:
     """Returns how far from its place a point of the bottom of a loose object may stand [m].
 
     It has come down as it sinks in the hand, and is seen from above.
     """
-    stands, hangs = (points @ X[:3, :3].T + X[:3, 3] for X in (X_WO, X_WO_hanging))
+    stands, hangs = (frames.transform(X, points) for X in (X_WO, X_WO_hanging))
     bottom = stands[:, 2] < stands[:, 2].min() + BOTTOM
     left = hangs - stands - sinking(points, X_WO, X_WO_hanging)
     return float(np.linalg.norm(left[bottom, :2], axis=1).max())

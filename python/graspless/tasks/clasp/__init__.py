@@ -17,8 +17,7 @@ from ..proposals import with_proposal
 from ..rays import Rays, rays_fields
 from ..robot_files import resolve_robot
 from ..robots import require_text, robot_meshes
-from ..shapes import Pose
-from ..statement import obstacle_fields, pose_fields, robot_fields, struct_fields
+from ..statement import obstacle_fields, pose_fields, pose_of, robot_fields, struct_fields
 from .build import build as build_problem
 from .build import build_options
 from .cloud import resolve_object
@@ -66,7 +65,7 @@ def _with_scene(fields: ClaspTask, source: Source, directory: Path) -> ClaspTask
     update = {
         "scene": None,
         "points": rows_of(thing.points),
-        "pose": Pose(**pose_fields(thing.X_WO)),
+        "pose": pose_of(thing.X_WO),
         "rays": [Rays.model_validate(rays_fields(image)) for image in thing.rays],
     }
     seen = scenes.obstacles(

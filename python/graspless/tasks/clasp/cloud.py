@@ -26,11 +26,12 @@ if TYPE_CHECKING:
 LARGEST = 5.0  # [m]; nobody clasps a larger object
 MOST = 10_000_000  # points
 DEFAULT = 2000  # points, as in the paper
+SOURCES = ("cloud", "mesh", "sample", "points")  # fields of an object, of which one is given
 
 
 def resolve_object(thing: model.Object, source: Source, directory: Path) -> model.Object:
     """Returns the object with its points inline, and with the rays of its viewpoints."""
-    with at(source, "object", source_field(thing)):
+    with at(source, "object", thing.first_of(*SOURCES)):
         shapes = _shapes(thing, source, directory)
     points = object_points(thing, shapes, source, directory)
     update: dict[str, Any] = {
@@ -56,7 +57,7 @@ def object_points(
     thing: model.Object, shapes: list[geometry.PlacedShape], source: Source, directory: Path
 ) -> Matrix:
     """[N, 3] points on the object, in O [m]; `shapes` are those on which they are sampled."""
-    field = source_field(thing)
+    field = thing.first_of(*SOURCES)
     with at(source, "object", field):
         points = thing.scale * _points(thing, shapes, directory)
     if len(points) > MOST:
@@ -74,12 +75,6 @@ def object_points(
         noise = np.random.default_rng(thing.seed).normal(scale=thing.noise, size=points.shape)
         points = points + noise
     return points
-
-
-def source_field(thing: model.Object) -> str:
-    """Returns the field that gives the source of the points."""
-    names = ("cloud", "mesh", "sample", "points")
-    return next(name for name in names if getattr(thing, name) is not None)
 
 
 def _points(thing: model.Object, shapes: list[geometry.PlacedShape], directory: Path) -> Matrix:

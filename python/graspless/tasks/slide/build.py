@@ -224,12 +224,12 @@ def outline(shape: model.Object | model.Support) -> frames.Matrix:
 
 
 def build_options(task: model.SlideTask, problem: slide.Problem, source: Source) -> slide.Options:
+    """Returns the options of a task. Missing fields have the defaults of the library."""
     fields = task.options.model_dump(exclude_none=True)
     if "search" in fields:
         fields["search"] = slide.Search.__members__[fields["search"]]
     with at(source, "options"):
         options = slide.Options(**fields)
-    with at(source, "options"):
         slide.validate(options)
     try:
         slide.validate(problem, options)

@@ -22,7 +22,7 @@ from ..robot_files import resolve_robot
 from ..robots import robot_meshes, stem
 from ..shapes import pose_matrix
 from ..source import Source
-from ..statement import pose_fields
+from ..statement import pose_of
 from . import model
 from .units import LARGEST, warn_of_sizes
 
@@ -91,7 +91,7 @@ def _with_scene(task: TaskT, source: Source, directory: Path) -> TaskT:
     of_support = {
         "scene": None,
         "polygon": rows_of(support.polygon),
-        "pose": shapes.Pose(**pose_fields(support.X_WS)),
+        "pose": pose_of(support.X_WS),
         "usable_edges": edges,
     }
     seen = scenes.obstacles(
