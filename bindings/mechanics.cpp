@@ -199,7 +199,7 @@ void bind_contact_set(py::module_& m) {
           "instance\n"
           "    `wrench_scale`. The identity by default.\n"
           "cone_edges : int\n"
-          "    Number of edges of each polyhedral friction cone, at least 3.\n\n"
+          "    Number of edges of each polyhedral friction cone, 3 to 1000.\n\n"
           "Raises\n"
           "------\n"
           "ValueError\n"

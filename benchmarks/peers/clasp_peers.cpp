@@ -77,7 +77,7 @@ class GraspRrt {
   /// From a node at random towards a point of the surface at random; then the fingers close.
   void try_grasp() {
     ++grasp_.approaches;
-    const VectorXd& q_from = tree_[static_cast<std::size_t>(unit() * num(tree_.size()))];
+    const VectorXd& q_from = tree_[unit() * num(tree_.size())];
     const Eigen::Matrix3Xd& cloud = problem_.object.points();
     const auto target = static_cast<Eigen::Index>(unit() * num(cloud.cols()));
     const std::optional<VectorXd> q = approach(q_from, problem_.X_WO * cloud.col(target));
@@ -117,7 +117,7 @@ class GraspRrt {
 
   VectorXd step_towards(const VectorXd& q, const Vector3d& p_W, const Vector3d& direction) {
     constexpr double kMaxTurn = 0.05, kDamping = 0.05;
-    const Eigen::Isometry3d X_WH = hand_.poses()[static_cast<std::size_t>(frame_)];
+    const Eigen::Isometry3d X_WH = hand_.poses()[frame_];
     Eigen::Matrix<double, 6, Eigen::Dynamic> J_all;
     problem_.robot.jacobian(frame_, hand_.poses(), J_all);
     Eigen::Matrix<double, 6, 1> error;
@@ -129,7 +129,7 @@ class GraspRrt {
     for (std::size_t i = 0; i < arm_.size(); ++i) {
       const Vector3d turn = J_all.col(arm_[i]).tail<3>();
       const Vector3d linear = J_all.col(arm_[i]).head<3>() + turn.cross(lever);
-      J.col(static_cast<Eigen::Index>(i)) << linear, 0.3 * turn;  // lengths for angles [m]
+      J.col(i) << linear, 0.3 * turn;  // lengths for angles [m]
     }
     error.tail<3>() *= 0.3;
     const Eigen::Matrix<double, 6, 6> damped =
@@ -137,7 +137,7 @@ class GraspRrt {
     VectorXd dq = J.transpose() * damped.ldlt().solve(error);
     dq *= std::min(1.0, kMaxTurn / std::max(1e-12, dq.cwiseAbs().maxCoeff()));
     VectorXd next = q;
-    for (std::size_t i = 0; i < arm_.size(); ++i) next[arm_[i]] += dq[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < arm_.size(); ++i) next[arm_[i]] += dq[i];
     return problem_.robot.clamp(next);
   }
 
@@ -150,8 +150,7 @@ class GraspRrt {
   void sample_hand() {
     std::vector<std::vector<geometry::PlacedShape>> shapes(problem_.robot.frame_names().size());
     for (const auto& shape : problem_.robot.shapes()) {
-      if (is_of_hand(shape.link))
-        shapes[static_cast<std::size_t>(shape.link)].push_back(shape.placed);
+      if (is_of_hand(shape.link)) shapes[shape.link].push_back(shape.placed);
     }
     for (std::size_t link = 0; link < shapes.size(); ++link) {
       if (shapes[link].empty()) continue;
@@ -176,7 +175,7 @@ class GraspRrt {
     };
     std::vector<GraspContact> contacts;
     for (const auto& [link, points_L] : links_) {
-      const Eigen::Isometry3d X_OL = X_OW * hand_.poses()[static_cast<std::size_t>(link)];
+      const Eigen::Isometry3d X_OL = X_OW * hand_.poses()[link];
       double least = kTouching;
       Vector3d nearest = Vector3d::Zero();
       for (const auto& p_L : points_L.colwise()) {
@@ -204,7 +203,7 @@ class GraspRrt {
     grasp_.quality = quality;
     grasp_.p_OC.resize(3, static_cast<Eigen::Index>(contacts.size()));
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      grasp_.p_OC.col(static_cast<Eigen::Index>(i)) = contacts[i].p_O;
+      grasp_.p_OC.col(i) = contacts[i].p_O;
     }
     hand_.update(q);
     for (int i = 0; i < hand_.num_curves(); ++i) {

@@ -73,8 +73,7 @@ double grasp_quality(const std::vector<GraspContact>& contacts, const Eigen::Vec
                     [&](Eigen::Index a, Eigen::Index b) { return resisted[a] < resisted[b]; });
   double least = resisted[order.front()];
   for (int i = 0; i < kStarts && least > 0; ++i) {
-    least =
-        std::min(least, least_near(edges, directions().col(order[static_cast<std::size_t>(i)])));
+    least = std::min(least, least_near(edges, directions().col(order[i])));
   }
   return std::max(0.0, least);
 }

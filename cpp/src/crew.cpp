@@ -18,7 +18,7 @@ constexpr auto kAwake = std::chrono::microseconds(1000);
 }  // namespace
 
 Crew::Crew(int threads) {
-  threads_.reserve(static_cast<std::size_t>(std::max(0, threads - 1)));
+  threads_.reserve(std::max(0, threads - 1));
   try {
     for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { help(); });
   } catch (const std::system_error&) {

@@ -11,6 +11,8 @@
 
 namespace graspless {
 
+constexpr double kDegree = 0.017453292519943295;  ///< [rad]
+
 /// A number with so many significant digits. std::to_string() would write 1e-9 as 0.000000.
 inline std::string figure(double value, int digits = 6) {
   std::ostringstream out;

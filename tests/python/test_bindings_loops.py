@@ -124,7 +124,7 @@ def test_what_looks_wrong_is_warned_of():
         (lambda: shortest_loops(RING, min_ratio=0.5), "min_ratio must be greater than 1"),
         (lambda: shortest_loops(RING, threads=0), r"threads must be in \[1, 256\], not 0"),
         (lambda: shortest_loops(RING, max_points=1), "max_points must be in"),
-        (lambda: geometry.clasp_targets(RING, 0), "count must be positive"),
+        (lambda: geometry.clasp_targets(RING, 0), r"count must lie in \[1, 1000000\]"),
         (lambda: geometry.clasp_targets([[0, 0, 0]] * 3, 2), "loop must have"),
         (lambda: geometry.linking_number(THROUGH, [[0, 0, 1]]), "b must have at least 3 corners"),
         (lambda: Filtration(RING).span([0, 1, 300], 0.5 * 0.01), "no edge shorter"),

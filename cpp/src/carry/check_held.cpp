@@ -6,7 +6,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "collision/bounds.hpp"
+#include "graspless/geometry/pose.hpp"
+
 #include "scene/bands.hpp"
 #include "scene/rows.hpp"
 
@@ -63,7 +64,7 @@ void HeldReplay::exclude_hand(const Problem& problem) {
       const Isometry3d after = robot_.pose(frame_, q).inverse() * robot_.pose(link, q);
       stays = stays && scene::is_same(before, after, kSame);
     }
-    const int body = replay_.body_of(robot_.frame_names()[static_cast<std::size_t>(link)]);
+    const int body = replay_.body_of(robot_.frame_names()[link]);
     if (!stays || body < 0) continue;
     replay_.world().remove_pair(body, object_);
     holding_.push_back(body);
@@ -103,7 +104,7 @@ std::vector<scene::Doubt> HeldReplay::prove_free(const Segment& segment) {
   object.body = object_;
   object.carrier = {frame_, {X_FO_.translation(), replay_.world().radius(object_)}};
   object.place = [&](std::size_t, double, const robot::Poses& X_WL) {
-    replay_.world().set_pose(object_, X_WL[static_cast<std::size_t>(frame_)] * X_FO_);
+    replay_.world().set_pose(object_, X_WL[frame_] * X_FO_);
   };
   return scene::EdgeProver(segment.name, segment.positions, replay_, object).run();
 }
@@ -196,8 +197,8 @@ std::vector<std::string> shape_faults(const Problem& problem, const Plan& plan,
       faults.push_back(segment.name + ": must have rows, and one object pose for each row");
     for (std::size_t row = 0; faults.empty() && row < segment.positions.size(); ++row) {
       const VectorXd& q = segment.positions[row];
-      const bool sound = robot::is_configuration(problem.robot, q) &&
-                         collision::is_pose(segment.object_poses[row]);
+      const bool sound =
+          robot::is_configuration(problem.robot, q) && geometry::is_pose(segment.object_poses[row]);
       if (!sound) {
         faults.push_back(segment.name + " row " + std::to_string(row) +
                          ": has the wrong size or a value that is not finite");

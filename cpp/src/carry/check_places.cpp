@@ -74,7 +74,7 @@ class PlaceExamination {
     return *std::find_if(plan_.segments.begin(), plan_.segments.end(),
                          [&](const Segment& other) { return other.name == name; });
   }
-  const Isometry3d& place() const { return places_.X_WO[static_cast<std::size_t>(plan_.place)]; }
+  const Isometry3d& place() const { return places_.X_WO[plan_.place]; }
   static bool is_held(const Segment& part) {
     return part.name == "transfer" || part.name == "lower";
   }

@@ -122,7 +122,7 @@ std::string PlaceSearch::touching(const VectorXd& q) {
 
 /// The way from a place to where the object begins to be lowered, in W [m].
 Vector3d PlaceSearch::rise(int place) const {
-  const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
+  const Isometry3d& X_WO = places_.X_WO[place];
   const Vector3d up =
       places_.down_O.isZero() ? places_.normal_W : Vector3d(-(X_WO.linear() * places_.down_O));
   return up * (options_.height / up.dot(places_.normal_W));

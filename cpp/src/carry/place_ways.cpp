@@ -35,7 +35,7 @@ constexpr double kBranch = 0.25;       // a longer step has left the branch of t
 /// from the start.
 bool PlaceSearch::go_straight(int place, Plan& plan) {
   hold(0);
-  const Isometry3d& X_WO = places_.X_WO[static_cast<std::size_t>(place)];
+  const Isometry3d& X_WO = places_.X_WO[place];
   const StraightPath way(problem_.object.X_WB, Eigen::Translation3d(rise(place)) * X_WO);
   const int steps = std::max({1, static_cast<int>(std::ceil(way.distance() / kWaypoint)),
                               static_cast<int>(std::ceil(way.angle() / kTurnPoint))});

@@ -101,7 +101,7 @@ std::vector<VectorXd> Search::run() {
   visited_ = {nodes_[0].cell};
   std::vector<std::pair<int, Cell>> open;  // a stack: which node to extend, and to which cell
   const auto open_neighbours = [&](int node) {
-    std::vector<Cell> next = neighbours(nodes_[static_cast<std::size_t>(node)].cell);
+    std::vector<Cell> next = neighbours(nodes_[node].cell);
     for (auto cell = next.rbegin(); cell != next.rend(); ++cell) open.emplace_back(node, *cell);
   };
   open_neighbours(0);
@@ -110,7 +110,7 @@ std::vector<VectorXd> Search::run() {
     open.pop_back();
     if (visited_.count(cell) != 0) continue;
     if (!clock_.spend()) break;
-    const std::optional<VectorXd> q = step(nodes_[static_cast<std::size_t>(parent)], cell);
+    const std::optional<VectorXd> q = step(nodes_[parent], cell);
     if (!q) continue;
     visited_.insert(cell);
     nodes_.push_back({cell, *q, parent});
@@ -192,8 +192,7 @@ bool Search::is_motion_valid(const VectorXd& from, const VectorXd& to) {
 
 std::vector<VectorXd> Search::path_to(int node) const {
   std::vector<VectorXd> path;
-  for (int at = node; at >= 0; at = nodes_[static_cast<std::size_t>(at)].parent)
-    path.push_back(nodes_[static_cast<std::size_t>(at)].q);
+  for (int at = node; at >= 0; at = nodes_[at].parent) path.push_back(nodes_[at].q);
   std::reverse(path.begin(), path.end());
   return path;
 }

@@ -46,7 +46,7 @@ Segment segment(const std::string& name, const Path& path, TaskSpace& task_space
   segment.virtual_linking.resize(task_space.kinematics().num_curves(), rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     poll();
-    task_space.project(segment.positions[static_cast<std::size_t>(i)]);
+    task_space.project(segment.positions[i]);
     segment.virtual_linking.col(i) = task_space.linking_of_curves();
   }
   return segment;
@@ -90,8 +90,8 @@ std::string insecure(const Query& query) {
         << " Nm forces open the others, which hold with two fingers: they withstand " << most
         << " N or less (effort limits of the hand: ";
     for (const int joint : robot.group(query.problem.hand.hand)) {
-      out << robot.joint_names()[static_cast<std::size_t>(joint)] << ": "
-          << robot.max_effort()[joint] << (robot.step_weights()[joint] > 1 ? " N; " : " Nm; ");
+      out << robot.joint_names()[joint] << ": " << robot.max_effort()[joint]
+          << (robot.step_weights()[joint] > 1 ? " N; " : " Nm; ");
     }
     out << "options.stability.force and torque set the load)";
   }
@@ -145,8 +145,7 @@ void test(Query& query, int loop, Clasp& clasp) {
   const double before = query.clock.seconds();
   const Eigen::VectorXd& q = clasp.close.back();
   if (!query.tester) query.tester.emplace(query.problem);
-  const Eigen::Matrix3Xd& loop_O =
-      query.problem.object.loops().found[static_cast<std::size_t>(loop)].points;
+  const Eigen::Matrix3Xd& loop_O = query.problem.object.loops().found[loop].points;
   const StabilityOptions& options = query.options.stability;
   if (query.options.must_be_secure) {
     clasp.stability = query.tester->test_quickly(q, loop_O, options, enough(query));
@@ -202,7 +201,7 @@ void warn_of_thick_handles(const Problem& problem,
   std::set<int> loops;  // several searches can have one loop
   for (const auto& search : searches) loops.insert(search->task().loop);
   for (const int loop : loops) {
-    const double thickness = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
+    const double thickness = problem.object.loops().found[loop].thickness;
     if (!is_too_thick(problem.robot, problem.hand, thickness)) continue;
     std::ostringstream out;
     out << "loop " << loop << ": its handle of " << std::lround(1000 * thickness)

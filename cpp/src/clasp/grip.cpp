@@ -40,7 +40,7 @@ double hand_width(const Problem& problem) { return 2 * half_width(problem.robot,
 
 /// A ball as wide as the edges that fill the hole passes it.
 bool is_small(const Problem& problem, int loop, double hand_width) {
-  return problem.object.loops().found[static_cast<std::size_t>(loop)].death < hand_width;
+  return problem.object.loops().found[loop].death < hand_width;
 }
 
 }  // namespace graspless::clasp

@@ -155,12 +155,12 @@ const Eigen::Matrix3Xd& loop_points(const Problem& problem, int loop) {
                                 std::to_string(loops.size()) + " loops of object '" +
                                 problem.object.name() + "', not " + std::to_string(loop));
   }
-  return loops[static_cast<std::size_t>(loop)].points;
+  return loops[loop].points;
 }
 
 Options derived(const Options& options, const Problem& problem, int loop) {
   Options o = options;
-  const geometry::Loop& of = problem.object.loops().found[static_cast<std::size_t>(loop)];
+  const geometry::Loop& of = problem.object.loops().found[loop];
   if (o.min_linking == 0) {
     const double open = open_linking(problem.robot, problem.hand);
     const double reach = reachable_linking(problem.robot, problem.hand, of.thickness);

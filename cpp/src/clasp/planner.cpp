@@ -49,8 +49,7 @@ void warn_of_missing_limits(const Problem& problem, const Options& options, Plan
   if (options.stability.force == 0) return;
   for (const int joint : problem.robot.group(problem.hand.hand)) {
     if (std::isfinite(problem.robot.max_effort()[joint])) continue;
-    plan.warnings.push_back("joint '" +
-                            problem.robot.joint_names()[static_cast<std::size_t>(joint)] +
+    plan.warnings.push_back("joint '" + problem.robot.joint_names()[joint] +
                             "' of the hand has no effort limit above 0 in the URDF; what the "
                             "motors withstand is computed as if it never gave way");
   }
@@ -96,7 +95,7 @@ void certify(const Problem& problem, const Options& options, planning::Clock& cl
 }
 
 void warn_of_gap(const Problem& problem, Plan& plan) {
-  const double gap = problem.object.loops().found[static_cast<std::size_t>(plan.loop)].gap;
+  const double gap = problem.object.loops().found[plan.loop].gap;
   if (gap == 0) return;
   plan.warnings.push_back("the clasped loop crosses a gap of " + figure(gap, 3) +
                           " m without points; the object may come free there");

@@ -3,18 +3,12 @@
 #include "collision/bounds.hpp"
 
 #include <algorithm>
-#include <sstream>
-#include <stdexcept>
-
-#include "graspless/geometry/shape.hpp"
 
 namespace graspless::collision {
 namespace {
 
 // Squared sine of the angle below which two segments count as parallel.
 constexpr double kParallel = 1e-12;
-
-constexpr double kOff = 1e-6;  // of the products of a rotation's columns, rounding included
 
 double exact_bound(const Core& a, const Placement& at_a, const Core& b, const Placement& at_b,
                    const Eigen::Vector3d& shift_W) {
@@ -27,21 +21,6 @@ double exact_bound(const Core& a, const Placement& at_a, const Core& b, const Pl
 double clamp_to_segment(double t) { return std::clamp(t, -1.0, 1.0); }
 
 }  // namespace
-
-bool is_pose(const Eigen::Isometry3d& X) {
-  const Eigen::Vector3d x = X.linear().col(0), y = X.linear().col(1), z = X.linear().col(2);
-  return (X.translation().array().abs() <= geometry::kMaxLength).all() &&
-         std::abs(x.squaredNorm() - 1) <= kOff && std::abs(y.squaredNorm() - 1) <= kOff &&
-         std::abs(x.dot(y)) <= kOff && (x.cross(y) - z).squaredNorm() <= kOff * kOff;
-}
-
-void require_pose(const Eigen::Isometry3d& X, const std::string& what) {
-  if (is_pose(X)) return;
-  std::ostringstream fault;
-  fault << what << " must be a rotation and a translation of at most " << geometry::kMaxLength
-        << " m";
-  throw std::invalid_argument(fault.str());
-}
 
 Eigen::Vector3d half_in_world(const Core& core, const Eigen::Matrix3d& R_WC) {
   if (core.is_exact_segment)

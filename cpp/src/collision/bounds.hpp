@@ -24,13 +24,6 @@ struct Placement {
   Eigen::Vector3d half_W = Eigen::Vector3d::Zero();
 };
 
-/// True if X is rigid and finite, and its translation is at most geometry::kMaxLength along each
-/// axis. Cheap enough for every pose that a search tries.
-bool is_pose(const Eigen::Isometry3d& X);
-
-/// Throws std::invalid_argument that names `what` unless is_pose(X).
-void require_pose(const Eigen::Isometry3d& X, const std::string& what);
-
 /// Returns half the sides of the axis-aligned box of a core that is rotated by R_WC.
 Eigen::Vector3d half_in_world(const Core& core, const Eigen::Matrix3d& R_WC);
 

@@ -67,7 +67,7 @@ ClearanceCells::Cell& ClearanceCells::other_root(std::uint64_t key) {
   }
   last_key_ = key;
   last_root_ = slot.root;
-  return roots_[static_cast<std::size_t>(slot.root)];
+  return roots_[slot.root];
 }
 
 void ClearanceCells::grow() {

@@ -77,7 +77,7 @@ class ClearanceCells {
   Clearance::Bounds descend(const Eigen::Vector3d& point, int last_level, Settled settled);
   Cell& root(const Number& number) {
     const auto key = static_cast<std::uint64_t>(number.x() << 42 | number.y() << 21 | number.z());
-    if (last_root_ >= 0 && key == last_key_) return roots_[static_cast<std::size_t>(last_root_)];
+    if (last_root_ >= 0 && key == last_key_) return roots_[last_root_];
     return other_root(key);
   }
   Cell& other_root(std::uint64_t key);
@@ -116,7 +116,7 @@ Clearance::Bounds ClearanceCells::descend(const Eigen::Vector3d& point, int last
       constexpr int kMask = kParts - 1;
       const auto index =
           ((number.x() & kMask) * kParts + (number.y() & kMask)) * kParts + (number.z() & kMask);
-      cell = &(*blocks_[static_cast<std::size_t>(cell->parts)])[static_cast<std::size_t>(index)];
+      cell = &(*blocks_[cell->parts])[index];
     }
     if (cell->distance < 0) {
       const NearTriangle near = tree_->nearest(point - from_middle, hint);

@@ -54,8 +54,8 @@ int ClearanceTree::add_node(Iterator begin, Iterator end) const {
     });
     const int child = count == 1 ? ~*ends[k] : add_node(ends[k], ends[k + 1]);
     Node& node = nodes_[index];
-    node.low.row(static_cast<Eigen::Index>(k)) = box.min().transpose();
-    node.high.row(static_cast<Eigen::Index>(k)) = box.max().transpose();
+    node.low.row(k) = box.min().transpose();
+    node.high.row(k) = box.max().transpose();
     node.children[k] = child;
   }
   return static_cast<int>(index);
@@ -89,9 +89,9 @@ void ClearanceTree::search(const Node& node, const Vector3d& point, double enoug
   Eigen::Index nearest = 0;
   while (best.squared > enough && squares.minCoeff(&nearest) < best.squared) {
     squares[nearest] = kNowhere;
-    const int child = node.children[static_cast<std::size_t>(nearest)];
+    const int child = node.children[nearest];
     if (child >= 0) {
-      search(nodes_[static_cast<std::size_t>(child)], point, enough, best);
+      search(nodes_[child], point, enough, best);
     } else {
       const double squared = squared_distance(triangle(~child), point);
       if (squared < best.squared) best = {~child, squared};

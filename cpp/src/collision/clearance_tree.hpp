@@ -50,9 +50,7 @@ class ClearanceTree {
   Iterator halve(Iterator begin, Iterator end) const;
   void search(const Node& node, const Eigen::Vector3d& point, double enough,
               NearTriangle& best) const;
-  const SurfaceTriangle& triangle(int index) const {
-    return triangles_[static_cast<std::size_t>(index)];
-  }
+  const SurfaceTriangle& triangle(int index) const { return triangles_[index]; }
 
   std::vector<SurfaceTriangle> triangles_;
   mutable Once built_;

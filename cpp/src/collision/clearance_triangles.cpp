@@ -44,7 +44,7 @@ SurfaceTriangle with_width(const Vector3d& a, const Vector3d& b, const Vector3d&
 
 std::vector<SurfaceTriangle> surface_triangles(const geometry::Mesh& mesh) {
   std::vector<SurfaceTriangle> triangles;
-  triangles.reserve(static_cast<std::size_t>(mesh.triangles.cols()));
+  triangles.reserve(mesh.triangles.cols());
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     poll();
     const auto corners = mesh.triangles.col(i);

@@ -17,6 +17,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "geometry/disjoint_sets.hpp"
+
 namespace graspless::collision {
 namespace {
 
@@ -34,7 +36,7 @@ bool Enclosure::contains(const Eigen::Vector3d& p) const {
   const Eigen::Vector2i at = cell(turned.head<2>());
   if ((at.array() < 0).any() || (at.array() >= num_cells_.array()).any()) return false;
   bool inside = false;
-  for (const int i : cells_[static_cast<std::size_t>(at.y() * num_cells_.x() + at.x())]) {
+  for (const int i : cells_[at.y() * num_cells_.x() + at.x()]) {
     inside ^= covers(i, turned.head<2>()) && lies_below(i, turned);
   }
   return inside;
@@ -60,7 +62,7 @@ void Enclosure::prepare() const {
 /// Gives vertices at the same place the same index.
 void Enclosure::weld() const {
   const Eigen::Matrix3Xd& v = mesh_.vertices;
-  std::vector<int> order(static_cast<std::size_t>(v.cols()));
+  std::vector<int> order(v.cols());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int i) { return std::make_tuple(v(0, i), v(1, i), v(2, i)); };
   poll();
@@ -69,10 +71,9 @@ void Enclosure::weld() const {
   std::vector<int> first(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_new = i == 0 || key(order[i]) != key(order[i - 1]);
-    first[static_cast<std::size_t>(order[i])] =
-        is_new ? order[i] : first[static_cast<std::size_t>(order[i - 1])];
+    first[order[i]] = is_new ? order[i] : first[order[i - 1]];
   }
-  for (auto& index : mesh_.triangles.reshaped()) index = first[static_cast<std::size_t>(index)];
+  for (auto& index : mesh_.triangles.reshaped()) index = first[index];
 }
 
 bool Enclosure::is_closed() const {
@@ -104,7 +105,7 @@ void Enclosure::fill_grid(const Eigen::Matrix2Xd& flat) const {
     num_cells_[axis] = static_cast<int>(std::clamp(size[axis] / side, 1.0, kMostCells));
     scale_[axis] = num_cells_[axis] / size[axis];
   }
-  cells_.assign(static_cast<std::size_t>(num_cells_.prod()), {});
+  cells_.assign(num_cells_.prod(), {});
   for (Eigen::Index i = 0; i < mesh_.triangles.cols(); ++i) {
     poll();
     const Eigen::Matrix<double, 2, 3> corners = flat(Eigen::all, mesh_.triangles.col(i));
@@ -113,7 +114,7 @@ void Enclosure::fill_grid(const Eigen::Matrix2Xd& flat) const {
     const Eigen::Vector2i to = cell(corners.rowwise().maxCoeff()).cwiseMin(most);
     for (int y = from.y(); y <= to.y(); ++y) {
       for (int x = from.x(); x <= to.x(); ++x) {
-        cells_[static_cast<std::size_t>(y * num_cells_.x() + x)].push_back(static_cast<int>(i));
+        cells_[y * num_cells_.x() + x].push_back(static_cast<int>(i));
       }
     }
   }
@@ -148,24 +149,13 @@ bool Enclosure::lies_below(Eigen::Index triangle, const Eigen::Vector3d& p) cons
 
 void Enclosure::find_parts() const {
   constexpr std::size_t kMost = 64;  // more are loose triangles, which bound nothing
-  std::vector<int> root(static_cast<std::size_t>(mesh_.vertices.cols()));
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int i) {
-    auto at = static_cast<std::size_t>(i);
-    while (root[at] != static_cast<int>(at)) {
-      root[at] = root[static_cast<std::size_t>(root[at])];
-      at = static_cast<std::size_t>(root[at]);
-    }
-    return static_cast<int>(at);
-  };
+  geometry::DisjointSets connected(static_cast<int>(mesh_.vertices.cols()));
   for (const auto& triangle : mesh_.triangles.colwise()) {
-    for (int k = 1; k < 3; ++k) {
-      root[static_cast<std::size_t>(find(triangle[k]))] = find(triangle[0]);
-    }
+    for (int k = 1; k < 3; ++k) connected.join(triangle[k], triangle[0]);
   }
   std::vector<int> parts;
   for (Eigen::Index i = 0; i < mesh_.triangles.cols() && parts.size() < kMost; ++i) {
-    const int part = find(mesh_.triangles(0, i));
+    const int part = connected.root(mesh_.triangles(0, i));
     if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
   }
   parts_ = mesh_.vertices(Eigen::all, parts);

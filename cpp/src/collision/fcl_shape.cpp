@@ -12,6 +12,7 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/watch.hpp"
 
 #include "collision/prepared.hpp"
@@ -172,7 +173,7 @@ const fcl::CollisionGeometryd* FclGeometry::get() const {
 
 CollisionShape make_collision_shape(const geometry::PlacedShape& placed, const std::string& what) {
   geometry::validate(placed.shape, what);
-  require_pose(placed.X_BG, what + ".X_BG");
+  geometry::require_pose(placed.X_BG, what + ".X_BG");
   CollisionShape shape = std::visit([](const auto& kind) { return make(kind); }, placed.shape);
   shape.X_BC = placed.X_BG * shape.X_BC;
   return shape;

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/watch.hpp"
 
 #include "collision/world_impl.hpp"
@@ -75,7 +76,7 @@ const std::string& World::name(int body) const {
 
 void World::set_pose(int body, const Eigen::Isometry3d& X_WB) {
   impl_->require_body(body, "body");
-  if (!is_pose(X_WB)) require_pose(X_WB, "pose of body '" + name(body) + "'");
+  if (!geometry::is_pose(X_WB)) geometry::require_pose(X_WB, "pose of body '" + name(body) + "'");
   impl_->poses[body] = X_WB;
   impl_->place(body);
 }

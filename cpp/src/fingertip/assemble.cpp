@@ -138,8 +138,8 @@ class Assembler {
     for (int i = 0; i < static_cast<int>(slots_.size()); ++i) {
       if (i == lifted) continue;
       fingers.push_back(i);
-      at.push_back(slots_[static_cast<std::size_t>(i)]);
-      if (!modes_.empty()) previous.push_back(modes_[static_cast<std::size_t>(i)]);
+      at.push_back(slots_[i]);
+      if (!modes_.empty()) previous.push_back(modes_[i]);
     }
     turns_in_plane_ = turns_in_plane_ || instants_[instant].turns_in_plane;
     contacts_.push_back({contact_set(instants_[instant], locations_, problem_.fingers, at),
@@ -154,7 +154,7 @@ class Assembler {
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       row.fingers.push_back(standing_at(locations_[slots_[i]]));
     }
-    if (lifted >= 0) row.fingers[static_cast<std::size_t>(lifted)].touches = false;
+    if (lifted >= 0) row.fingers[lifted].touches = false;
     for (std::size_t k = 0; k < fingers.size(); ++k) {
       const auto i = static_cast<std::size_t>(fingers[k]);
       const auto column = static_cast<Eigen::Index>(k);

@@ -66,10 +66,10 @@ void blame_geometry_of_path(const PoseGraph& graph, Plan& plan) {
 bool leads_to_goal(const PoseGraph& graph) {
   const Eigen::Vector3d p_W = graph.X_WO(graph.goal()).translation();
   std::set<std::pair<double, int>> open;  // distance to the goal, pose
-  std::vector<bool> is_known(static_cast<std::size_t>(graph.num_poses()));
+  std::vector<bool> is_known(graph.num_poses());
   const auto push = [&](int pose) {
-    if (is_known[static_cast<std::size_t>(pose)]) return;
-    is_known[static_cast<std::size_t>(pose)] = true;
+    if (is_known[pose]) return;
+    is_known[pose] = true;
     open.emplace((graph.X_WO(pose).translation() - p_W).norm(), pose);
   };
   push(graph.start());

@@ -52,7 +52,7 @@ mechanics::FrictionVerdict verdict(const Problem& problem, const Options& option
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fingers.size()));
   for (const FingerState& finger : fingers) {
     if (!finger.touches) continue;
-    forces[static_cast<Eigen::Index>(modes.size())] = finger.commanded_force;
+    forces[modes.size()] = finger.commanded_force;
     modes.push_back(finger.mode);
     set.fingers.push_back({finger.p_OC, finger.n_O, problem.fingers.friction.lower,
                            problem.fingers.max_normal_force, Eigen::Vector3d::Zero()});
@@ -96,8 +96,8 @@ std::string sentence(const Problem& problem, const Plan& plan, const FrictionFai
   out << (gave_up ? "the search gave up, having found no plan that holds" : "no plan holds")
       << " for every friction in the intervals: the last one found fails at "
       << coefficients_of(problem, failure.verdict) << " in segment " << failure.segment << " ("
-      << plan.segments[static_cast<std::size_t>(failure.segment)].name << "), row " << failure.row
-      << ": " << failure.verdict.reason;
+      << plan.segments[failure.segment].name << "), row " << failure.row << ": "
+      << failure.verdict.reason;
   return out.str();
 }
 

@@ -35,8 +35,7 @@ Plan plan_graph(SearchContext& context, const Motion& motion, planning::Clock& c
 
 /// One sentence on the plan found.
 std::string summary(const Plan& plan) {
-  const Row& weakest = plan.segments[static_cast<std::size_t>(plan.weakest_segment)]
-                           .rows[static_cast<std::size_t>(plan.weakest_row)];
+  const Row& weakest = plan.segments[plan.weakest_segment].rows[plan.weakest_row];
   std::ostringstream text;
   text << plan.segments.size() << (plan.segments.size() == 1 ? " segment" : " segments") << " with "
        << plan.regrasps << (plan.regrasps == 1 ? " regrasp" : " regrasps")

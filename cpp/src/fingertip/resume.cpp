@@ -15,6 +15,7 @@
 #include "graspless/geometry/pose.hpp"
 
 #include "fingertip/model/screw.hpp"
+#include "text.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -87,7 +88,7 @@ Eigen::Isometry3d moved(const Problem& problem, const Eigen::Isometry3d& X_WO,
 /// The poses of a plan after a place on a segment.
 Poses poses_after(const Plan& plan, std::size_t segment, const Place& place) {
   const Poses& way = plan.segments[segment].X_WO;
-  Poses left(way.begin() + static_cast<std::ptrdiff_t>(place.k) + 1, way.end());
+  Poses left(way.begin() + place.k + 1, way.end());
   for (std::size_t s = segment + 1; s < plan.segments.size(); ++s) {
     if (plan.segments[s].finger >= 0) continue;  // a regrasp stays at the last pose
     left.insert(left.end(), plan.segments[s].X_WO.begin() + 1, plan.segments[s].X_WO.end());
@@ -148,7 +149,6 @@ Plan not_resumed(Status status, const std::string& reason) {
 }
 
 Plan off_path(const Displacement& d, const std::string& segment) {
-  constexpr double kDegree = M_PI / 180;
   std::ostringstream reason;
   reason.precision(3);
   reason << "the object is " << 1e3 * d.aside_W.norm() << " mm and " << std::abs(d.turn) / kDegree

@@ -137,8 +137,7 @@ void check_lattice(const Problem& problem, Clearance& clearance, const Lattice& 
   const char* names[] = {"x", "y", "yaw"};
   const double goal[] = {p.x(), p.y(), yaw}, period[] = {0, 0, 2 * M_PI};
   for (int i = 0; i < 3; ++i) {
-    check_axis(names[i], lattice.lower[i], lattice.upper[i],
-               lattice.counts[static_cast<std::size_t>(i)], goal[i], period[i]);
+    check_axis(names[i], lattice.lower[i], lattice.upper[i], lattice.counts[i], goal[i], period[i]);
   }
   const int yaws = counts[2];
   if (yaws > 1 && (lattice.upper[2] - lattice.lower[2]) / (yaws - 1) > kMaxTurn) {

@@ -46,7 +46,7 @@ std::vector<int> ascending(const std::vector<double>& numbers) {
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (const Item& item : items) {
       pulse();
-      sorted[static_cast<std::size_t>(next[digit(item)]++)] = item;
+      sorted[next[digit(item)]++] = item;
     }
     std::swap(items, sorted);
   }

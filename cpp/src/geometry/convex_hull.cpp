@@ -87,11 +87,11 @@ class HullSides {
   }
 
   std::vector<Side> polygons() const {
-    std::vector<Side> polygons(static_cast<std::size_t>(num_sides_));
+    std::vector<Side> polygons(num_sides_);
     for (const Edge edge : surface_.halfedges()) {
       poll();
       if (side(edge) == kOutside) continue;
-      Side& polygon = polygons[static_cast<std::size_t>(side(edge))];
+      Side& polygon = polygons[side(edge)];
       if (!is_rim(edge) || !polygon.empty()) continue;
       Edge at = edge;
       do {
@@ -178,8 +178,7 @@ Mesh canonical(const std::vector<Side>& sides) {
   std::sort(triangles.begin(), triangles.end());
   hull.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    hull.triangles.col(static_cast<Eigen::Index>(i)) =
-        Eigen::Map<const Eigen::Vector3i>(triangles[i].data());
+    hull.triangles.col(i) = Eigen::Map<const Eigen::Vector3i>(triangles[i].data());
   }
   return hull;
 }
@@ -248,7 +247,7 @@ Eigen::Matrix2Xd convex_outline(const Eigen::Matrix2Xd& points) {
   CGAL::convex_hull_2(input.begin(), input.end(), std::back_inserter(corners));
   Eigen::Matrix2Xd hull(2, static_cast<Eigen::Index>(corners.size()));
   for (Eigen::Index i = 0; i < hull.cols(); ++i) {
-    const Kernel::Point_2& p = corners[static_cast<std::size_t>(i)];
+    const Kernel::Point_2& p = corners[i];
     hull.col(i) << p.x(), p.y();
   }
   return hull;

@@ -13,7 +13,7 @@ namespace graspless::geometry {
 /// The upper median of the values, at least one. Reorders them.
 template <typename T>
 T median(std::vector<T>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  const auto middle = values.begin() + (values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }

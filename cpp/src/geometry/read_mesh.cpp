@@ -141,8 +141,7 @@ using Corners = std::vector<std::size_t>;
 std::vector<Corners> fans_of(const Corners& face, const std::vector<Eigen::Vector3d>& points) {
   const auto count = static_cast<Eigen::Index>(face.size());
   Eigen::Matrix3Xd corners(3, count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    corners.col(i) = points[face[static_cast<std::size_t>(i)]];
+  for (Eigen::Index i = 0; i < count; ++i) corners.col(i) = points[face[i]];
   Eigen::Matrix3Xd areas = Eigen::Matrix3Xd::Zero(3, count);  // of the fan from the first corner
   for (Eigen::Index i = 2; i < count; ++i)
     areas.col(i) = (corners.col(i - 1) - corners.col(0)).cross(corners.col(i) - corners.col(0));
@@ -158,7 +157,7 @@ std::vector<Corners> fans_of(const Corners& face, const std::vector<Eigen::Vecto
     for (const auto& p : part.colwise()) {
       Eigen::Index i = 0;
       while (flat.col(i) != p) ++i;  // the pieces have no other corners
-      piece.push_back(face[static_cast<std::size_t>(i)]);
+      piece.push_back(face[i]);
     }
   }
   return pieces;
@@ -188,8 +187,7 @@ Eigen::Matrix3Xi triangulate(const PolygonSoup& soup, const std::string& path) {
       for (const Corners& fan : fans_of(face, soup.points)) add(fan);
   }
   Eigen::Matrix3Xi columns(3, static_cast<Eigen::Index>(triangles.size()));
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    columns.col(static_cast<Eigen::Index>(i)) = triangles[i];
+  for (std::size_t i = 0; i < triangles.size(); ++i) columns.col(i) = triangles[i];
   return columns;
 }
 
@@ -199,7 +197,7 @@ Mesh read_own(const std::string& path, const std::string& extension) {
   mesh.vertices.resize(3, static_cast<Eigen::Index>(soup.points.size()));
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
     poll();
-    mesh.vertices.col(static_cast<Eigen::Index>(i)) = soup.points[i];
+    mesh.vertices.col(i) = soup.points[i];
   }
   mesh.triangles = triangulate(soup, path);
   return mesh;

@@ -236,10 +236,9 @@ class PlyBodyReader {
     if (format_ == PlyFormat::ascii) return written(type);
     if (text_.size() - at_ < type.bytes) refuse(item() + ": the file ends");
     std::array<char, 8> raw{};
-    std::copy_n(text_.begin() + static_cast<std::ptrdiff_t>(at_), type.bytes, raw.begin());
+    std::copy_n(text_.begin() + at_, type.bytes, raw.begin());
     at_ += type.bytes;
-    if (format_ == PlyFormat::big_endian)
-      std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(type.bytes));
+    if (format_ == PlyFormat::big_endian) std::reverse(raw.begin(), raw.begin() + type.bytes);
     return decoded(raw, type);
   }
 

@@ -3,11 +3,13 @@
 #include "graspless/geometry/shape.hpp"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "geometry/convex_hull.hpp"
 #include "geometry/require_points.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -69,8 +71,12 @@ struct Extent {
   double operator()(const Box& box) const { return d.cwiseAbs().dot(box.size) / 2; }
   double operator()(const Sphere& sphere) const { return sphere.radius; }
   double operator()(const Capsule& c) const { return c.radius + std::abs(d.z()) * c.length / 2; }
-  double operator()(const Convex& hull) const { return (d.transpose() * hull.vertices).maxCoeff(); }
-  double operator()(const Mesh& mesh) const { return (d.transpose() * mesh.vertices).maxCoeff(); }
+  double operator()(const Convex& hull) const { return of(hull.vertices); }
+  double operator()(const Mesh& mesh) const { return of(mesh.vertices); }
+  double of(const Eigen::Matrix3Xd& points) const {
+    if (points.cols() == 0) return -std::numeric_limits<double>::infinity();
+    return (d.transpose() * points).maxCoeff();
+  }
 };
 
 /// Vertices of an icosahedron that contains the ball of a radius about the origin.
@@ -126,8 +132,7 @@ struct Grow {
 }  // namespace
 
 std::vector<PlacedShape> grown(const std::vector<PlacedShape>& shapes, double padding) {
-  if (!(padding >= 0 && padding <= kMaxLength))
-    throw std::invalid_argument("padding must lie in [0, 1e4] m, not " + std::to_string(padding));
+  require(padding >= 0 && padding <= kMaxLength, "padding", padding, "must lie in [0, 1e4] m");
   std::vector<PlacedShape> out;
   for (const PlacedShape& placed : shapes) {
     validate(placed.shape, "shapes");

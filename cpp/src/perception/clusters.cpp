@@ -90,7 +90,7 @@ void collect(const Sighting& from, int view, const Region& region, const NoiseMo
     poll();
     for (int u = 0; u < sight.width(); ++u) {
       if (from.heights.level(v, u) != Level::above) continue;
-      if (claims[static_cast<std::size_t>(view)](v, u)) continue;
+      if (claims[view](v, u)) continue;
       const double z = static_cast<double>(sight.depth(v, u));
       const Eigen::Vector3d p = rays.at_depth(u, v, z);
       const int column = mask.column(p.x()), row = mask.row(p.y());
@@ -128,7 +128,7 @@ bool stands_there(const Counts& counts) {
 double spacing_of(const std::vector<Pixel>& pixels, const std::vector<Sighting>& sightings,
                   const Region& region) {
   const Pixel& pixel = pixels[pixels.size() / 2];
-  const Rays rays(sightings[static_cast<std::size_t>(pixel.view)], region.X_WS);
+  const Rays rays(sightings[pixel.view], region.X_WS);
   const auto at = [&](int dv) {
     return rays.at_height(pixel.u, pixel.v + dv, static_cast<double>(pixel.height),
                           static_cast<double>(pixel.depth));
@@ -184,10 +184,10 @@ std::vector<Cluster> clusters_over(const Region& region, const std::vector<Sight
     if (static_cast<int>(cluster.pixels.size()) < kFewest) continue;
     if (!stands_there(counts[k])) continue;
     for (const Pixel& pixel : cluster.pixels) {
-      claims[static_cast<std::size_t>(pixel.view)](pixel.v, pixel.u) = true;
+      claims[pixel.view](pixel.v, pixel.u) = true;
     }
     const Pixel& middle = cluster.pixels[cluster.pixels.size() / 2];
-    const Sight& sight = *sightings[static_cast<std::size_t>(middle.view)].sight;
+    const Sight& sight = *sightings[middle.view].sight;
     cluster.footprint = static_cast<double>(sight.depth(middle.v, middle.u)) / sight.K(0, 0);
     kept.push_back(std::move(cluster));
   }

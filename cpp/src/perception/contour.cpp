@@ -73,13 +73,13 @@ void smooth(std::vector<EdgeLabel>& labels, int half) {
   if (n <= 2 * half + 1) return;
   std::array<int, 3> votes{};
   const auto vote = [&](int i, int sign) {
-    votes[static_cast<std::size_t>(given[static_cast<std::size_t>((i + n) % n)])] += sign;
+    votes[static_cast<std::size_t>(given[(i + n) % n])] += sign;
   };
   for (int i = -half; i <= half; ++i) vote(i, 1);
   for (int i = 0; i < n; ++i) {
-    auto& label = labels[static_cast<std::size_t>(i)];
+    auto& label = labels[i];
     const auto most = std::max_element(votes.begin(), votes.end()) - votes.begin();
-    if (votes[static_cast<std::size_t>(most)] > votes[static_cast<std::size_t>(label)]) {
+    if (votes[most] > votes[static_cast<std::size_t>(label)]) {
       label = static_cast<EdgeLabel>(most);
     }
     vote(i - half, -1);
@@ -159,7 +159,7 @@ void drop_needless(const Ring& ring, const std::vector<std::size_t>& fixed, doub
       straightest = k;
     }
     if (straightest == n) return;
-    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(straightest));
+    corners.erase(corners.begin() + straightest);
   }
 }
 
@@ -179,7 +179,7 @@ std::optional<geometry::Polygon> polygon_of(const std::vector<Eigen::Vector2d>& 
   double doubled = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d &a = points[i], &b = points[(i + 1) % points.size()];
-    vertices.col(static_cast<Eigen::Index>(i)) = a;
+    vertices.col(i) = a;
     doubled += a.x() * b.y() - a.y() * b.x();
   }
   if (!(doubled > 0)) return std::nullopt;  // turned inside out

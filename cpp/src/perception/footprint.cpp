@@ -18,13 +18,13 @@ std::vector<Pixel> without_mixed_heights(const Cluster& cluster,
                                          const std::vector<PixelSet>& sets) {
   std::vector<Pixel> pixels = cluster.pixels;
   for (Pixel& p : pixels) {
-    const PixelSet& set = sets[static_cast<std::size_t>(p.view)];
+    const PixelSet& set = sets[p.view];
     if (set.has_around(p.u, p.v)) continue;
     float sum = 0, count = 0;
     for (int dv = -1; dv <= 1; ++dv) {
       for (int du = -1; du <= 1; ++du) {
         if (!set.has_around(p.u + du, p.v + dv)) continue;
-        const Pixel& inner = cluster.pixels[static_cast<std::size_t>(set.at(p.u + du, p.v + dv))];
+        const Pixel& inner = cluster.pixels[set.at(p.u + du, p.v + dv)];
         sum += inner.height - static_cast<float>(du) * inner.slope.x() -
                static_cast<float>(dv) * inner.slope.y();
         count += 1;
@@ -117,7 +117,7 @@ Raster footprint_of(const Cluster& cluster, const std::vector<PixelSet>& sets, c
     fill_flat(thickness, sets, rays, raster);
   } else {
     for (const Pixel& p : without_mixed_heights(cluster, sets)) {
-      draw(p, rays[static_cast<std::size_t>(p.view)], raster);
+      draw(p, rays[p.view], raster);
     }
     close_gaps(raster);
   }

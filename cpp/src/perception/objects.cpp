@@ -31,7 +31,7 @@ struct Top {
 double deviation_of(const Cluster& cluster, const std::vector<Sighting>& sightings,
                     const NoiseModel& noise) {
   const Pixel& pixel = cluster.pixels[cluster.pixels.size() / 2];
-  const Sighting& from = sightings[static_cast<std::size_t>(pixel.view)];
+  const Sighting& from = sightings[pixel.view];
   return from.heights.deviation(noise, static_cast<double>(from.sight->depth(pixel.v, pixel.u)),
                                 pixel.u, pixel.v);
 }
@@ -40,7 +40,7 @@ double deviation_of(const Cluster& cluster, const std::vector<Sighting>& sightin
 std::vector<const Pixel*> interior(const Cluster& cluster, const std::vector<PixelSet>& sets) {
   std::vector<const Pixel*> result;
   for (const Pixel& p : cluster.pixels) {
-    if (sets[static_cast<std::size_t>(p.view)].has_around(p.u, p.v)) result.push_back(&p);
+    if (sets[p.view].has_around(p.u, p.v)) result.push_back(&p);
   }
   return result;
 }
@@ -102,7 +102,7 @@ Eigen::Isometry3d frame_in(const Raster& raster, double& length) {
 /// True if no view has the whole object in its image.
 bool is_cut_off(const Cluster& cluster, const std::vector<Sighting>& sightings) {
   std::vector<bool> has_whole(sightings.size(), false);
-  for (const Pixel& p : cluster.pixels) has_whole[static_cast<std::size_t>(p.view)] = true;
+  for (const Pixel& p : cluster.pixels) has_whole[p.view] = true;
   for (const Pixel& p : cluster.pixels) {
     const auto view = static_cast<std::size_t>(p.view);
     const Sight& sight = *sightings[view].sight;
@@ -113,14 +113,14 @@ bool is_cut_off(const Cluster& cluster, const std::vector<Sighting>& sightings) 
   return std::find(has_whole.begin(), has_whole.end(), true) == has_whole.end();
 }
 
-/// Share of the pixels that have something nearer, which is not above the support by as much or not
-/// on it, beside them.
+/// True if something nearer to the camera is beside many pixels of the object, so that it may hide
+/// a part of it.
 bool is_partly_hidden(const Cluster& cluster, const std::vector<Sighting>& sightings,
                       const NoiseModel& noise) {
   constexpr int kBeside = 3;
   std::size_t hidden = 0;
   for (const Pixel& p : cluster.pixels) {
-    const Sight& sight = *sightings[static_cast<std::size_t>(p.view)].sight;
+    const Sight& sight = *sightings[p.view].sight;
     const double z = static_cast<double>(sight.depth(p.v, p.u));
     const double step = 2 * largest_step(sight, noise, z);
     const auto is_nearer = [&](int dv, int du) {
@@ -193,7 +193,7 @@ std::optional<Object> measure(const Cluster& cluster, const Region& region, cons
   const auto cells = std::count(raster.values.begin(), raster.values.end(), 1);
   const double area = static_cast<double>(cells) * raster.cell * raster.cell;
   const Pixel& middle = cluster.pixels[cluster.pixels.size() / 2];
-  const int window = sightings[static_cast<std::size_t>(middle.view)].heights.window;
+  const int window = sightings[middle.view].heights.window;
   const double least = std::max(options.min_thickness, kSignificantTop * deviation / window);
   // A cluster that only its mean tells from noise must fill a good part of a window in every view.
   const double fewest = 0.4 * window * window * static_cast<double>(sightings.size());
@@ -222,7 +222,7 @@ std::optional<Object> measure(const Cluster& cluster, const Region& region, cons
   const Eigen::Isometry3d X_OS = X_SO.inverse();
   for (std::size_t i = 0; i < cluster.pixels.size(); ++i) {
     const Pixel& p = cluster.pixels[i];
-    object.points.col(static_cast<Eigen::Index>(i)) =
+    object.points.col(i) =
         X_OS * Eigen::Vector3d(static_cast<double>(p.p.x()), static_cast<double>(p.p.y()),
                                static_cast<double>(p.height));
   }

@@ -148,7 +148,7 @@ double measure_plane(Plane& plane) {
   std::vector<double> of_view;
   for (const Cell& cell : plane.cells) {
     of_view.resize(std::max(of_view.size(), static_cast<std::size_t>(cell.view) + 1));
-    of_view[static_cast<std::size_t>(cell.view)] += cell.area;
+    of_view[cell.view] += cell.area;
   }
   plane.area = of_view.empty() ? 0 : *std::max_element(of_view.begin(), of_view.end());
   if (plane.cells.empty()) return 0;

@@ -69,9 +69,9 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
   Pieces pieces{std::vector<int>(mask.values.size(), -1), {}};
   std::vector<int> parent;  // of provisional labels
   const auto root = [&](int label) {
-    while (parent[static_cast<std::size_t>(label)] != label) {
-      int& above = parent[static_cast<std::size_t>(label)];
-      above = parent[static_cast<std::size_t>(above)];  // halves the way of the next
+    while (parent[label] != label) {
+      int& above = parent[label];
+      above = parent[above];  // halves the way of the next
       label = above;
     }
     return label;
@@ -84,7 +84,7 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
     }
     const int a = root(label), b = root(other);
     label = std::min(a, b);
-    parent[static_cast<std::size_t>(std::max(a, b))] = label;
+    parent[std::max(a, b)] = label;
   };
   for (int y = 0; y < mask.ny; ++y) {
     poll();
@@ -116,9 +116,9 @@ Pieces pieces_of(const Raster& mask, bool is_diagonal) {
   for (std::size_t i = 0; i < pieces.label.size();) {
     const int provisional = pieces.label[i];
     const std::size_t first = i;  // of a run of cells with this label
-    const int label = provisional < 0 ? -1 : final_label[static_cast<std::size_t>(provisional)];
+    const int label = provisional < 0 ? -1 : final_label[provisional];
     for (; i < pieces.label.size() && pieces.label[i] == provisional; ++i) pieces.label[i] = label;
-    if (label >= 0) pieces.size[static_cast<std::size_t>(label)] += i - first;
+    if (label >= 0) pieces.size[label] += i - first;
   }
   return pieces;
 }
@@ -130,7 +130,7 @@ void fill_holes(Raster& mask) {
   std::vector<bool> is_open(pieces.size.size(), false);
   const auto open = [&](int x, int y) {
     const int label = pieces.label[mask.index(x, y)];
-    if (label >= 0) is_open[static_cast<std::size_t>(label)] = true;
+    if (label >= 0) is_open[label] = true;
   };
   for (int x = 0; x < mask.nx; ++x) {
     open(x, 0);
@@ -142,7 +142,7 @@ void fill_holes(Raster& mask) {
   }
   for (std::size_t i = 0; i < mask.values.size(); ++i) {
     const int label = pieces.label[i];
-    if (label >= 0 && !is_open[static_cast<std::size_t>(label)]) mask.values[i] = 1;
+    if (label >= 0 && !is_open[label]) mask.values[i] = 1;
   }
 }
 

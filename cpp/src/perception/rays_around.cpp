@@ -143,8 +143,7 @@ std::vector<geometry::RayImage> rays_around(
     const Eigen::Isometry3d& X_WO, const std::vector<Sighting>& sightings, const NoiseModel& noise,
     const Options& options, double height_error) {
   std::vector<Eigen::AlignedBox2i> boxes(sightings.size());
-  for (const Pixel& p : cluster.pixels)
-    boxes[static_cast<std::size_t>(p.view)].extend(Eigen::Vector2i(p.u, p.v));
+  for (const Pixel& p : cluster.pixels) boxes[p.view].extend(Eigen::Vector2i(p.u, p.v));
   const Eigen::AlignedBox2d ground = ground_of(cluster);
   std::vector<geometry::RayImage> result;
   for (std::size_t i = 0; i < sightings.size(); ++i) {

@@ -29,7 +29,7 @@ Eigen::Isometry3d frame_of(const Plane& plane, const std::vector<Sighting>& sigh
       std::min_element(plane.cells.begin(), plane.cells.end(), [](const Cell& a, const Cell& b) {
         return a.view < b.view;
       })->view;
-  const Eigen::Matrix3d R_WC = sightings[static_cast<std::size_t>(first)].sight->X_WC.linear();
+  const Eigen::Matrix3d R_WC = sightings[first].sight->X_WC.linear();
   Eigen::Isometry3d X_WS = Eigen::Isometry3d::Identity();
   Eigen::Vector3d x = R_WC.col(0) - plane.n_W * plane.n_W.dot(R_WC.col(0));
   if (x.norm() < 0.1) x = R_WC.col(1) - plane.n_W * plane.n_W.dot(R_WC.col(1));
@@ -45,7 +45,7 @@ Raster raster_of(const Plane& plane, const Eigen::Isometry3d& X_WS,
   Eigen::AlignedBox2d box;
   double footprint = 1;
   for (const Cell& cell : plane.cells) {
-    const Sight& sight = *sightings[static_cast<std::size_t>(cell.view)].sight;
+    const Sight& sight = *sightings[cell.view].sight;
     const double reach = kSurroundings + 16 * cell.depth / sight.K(0, 0);
     const Eigen::Vector2d at = (X_WS.inverse() * cell.p_W).head<2>();
     box.extend(at - Eigen::Vector2d::Constant(reach));
@@ -203,13 +203,11 @@ std::vector<std::size_t> joined_to(const Region& region) {
   const Pieces pieces = pieces_of(open, false);
   std::vector<bool> is_joined(pieces.size.size(), false);
   for (std::size_t k = 0; k < open.values.size(); ++k) {
-    if (pieces.label[k] >= 0 && region.inside.values[k])
-      is_joined[static_cast<std::size_t>(pieces.label[k])] = true;
+    if (pieces.label[k] >= 0 && region.inside.values[k]) is_joined[pieces.label[k]] = true;
   }
   std::vector<std::size_t> joined;
   for (std::size_t k = 0; k < open.values.size(); ++k) {
-    if (pieces.label[k] >= 0 && is_joined[static_cast<std::size_t>(pieces.label[k])])
-      joined.push_back(k);
+    if (pieces.label[k] >= 0 && is_joined[pieces.label[k]]) joined.push_back(k);
   }
   return joined;
 }

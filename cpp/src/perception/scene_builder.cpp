@@ -70,7 +70,7 @@ Support SceneBuilder::support_of(const Plane& plane, const Region& region,
     least = std::min(least,
                      least_thickness(*sighting.sight, sighting.heights, noise_, options_, center));
   }
-  const Sight& first = sights_[static_cast<std::size_t>(plane.cells.front().view)];
+  const Sight& first = sights_[plane.cells.front().view];
   const double z = (first.X_WC.inverse() * center).z();
   return {say(number_++),
           region.outline.polygon,

@@ -76,7 +76,7 @@ double step_of(const DepthImage& depth) {
   if (differences.empty()) return 0;
   const auto at = static_cast<std::ptrdiff_t>(kSmallest * static_cast<double>(differences.size()));
   std::nth_element(differences.begin(), differences.begin() + at, differences.end());
-  const double step = differences[static_cast<std::size_t>(at)];
+  const double step = differences[at];
   const auto multiples = std::count_if(differences.begin(), differences.end(), [&](double bend) {
     return std::abs(bend / step - std::round(bend / step)) < kOff;
   });

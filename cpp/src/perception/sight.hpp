@@ -31,8 +31,6 @@ struct Sight {
 
   int width() const { return static_cast<int>(depth.cols()); }
   int height() const { return static_cast<int>(depth.rows()); }
-  /// Size of a pixel at the median depth, perpendicular to its ray [m].
-  double footprint() const { return median / K(0, 0); }
 };
 
 /// Reads every stride-th pixel of a view, so that at most `max_pixels` are left, and removes flying

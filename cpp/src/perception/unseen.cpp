@@ -203,7 +203,7 @@ std::vector<geometry::Convex> patches(const Region& region, const Options& optio
   for (int y = 0; y < unknown.ny; ++y) {
     for (int x = 0; x < unknown.nx; ++x) {
       const int label = pieces.label[unknown.index(x, y)];
-      if (label >= 0) boxes[static_cast<std::size_t>(label)].extend(Eigen::Vector2i(x, y));
+      if (label >= 0) boxes[label].extend(Eigen::Vector2i(x, y));
     }
   }
   constexpr int kThinnest = 5;  // cells across

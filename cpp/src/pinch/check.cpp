@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/pinch/pinch.hpp"
 #include "graspless/watch.hpp"
 
-#include "collision/bounds.hpp"
 #include "pinch/check_contacts.hpp"
 #include "pinch/jaw.hpp"
 #include "scene/edges.hpp"
@@ -92,7 +92,7 @@ class Examination {
         fault(segment.name, "must have rows, and one object pose for each row");
       for (std::size_t i = 0; faults_.empty() && i < segment.positions.size(); ++i) {
         const bool sound = robot::is_configuration(problem_.robot, segment.positions[i]) &&
-                           collision::is_pose(segment.object_poses[i]);
+                           geometry::is_pose(segment.object_poses[i]);
         if (!sound) fault(segment, i, "has the wrong size or a value that is not finite");
       }
     }

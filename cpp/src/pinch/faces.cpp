@@ -95,8 +95,7 @@ std::vector<Faces> opposite_faces(const geometry::Polygon& outline, const Vector
                       count = std::max(face, columns(pad));
     const std::size_t step = std::max<std::size_t>(1, face / 2);
     for (std::size_t begin = 0; begin + count <= size; begin += step) {
-      const auto low = along.low.begin() + static_cast<std::ptrdiff_t>(begin),
-                 high = along.high.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto low = along.low.begin() + begin, high = along.high.begin() + begin;
       const auto n = static_cast<std::ptrdiff_t>(count);
       const double bottom = *std::min_element(low, low + n),
                    top = *std::max_element(high, high + n);

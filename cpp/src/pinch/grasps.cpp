@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "pinch/face_measure.hpp"
@@ -20,13 +19,10 @@ constexpr std::size_t kFacesPerDirection = 2;
 constexpr double kApart = 0.02;  // between faces of one direction [m]
 
 std::string slippery(double needed, double allowed) {
-  char text[128];
-  std::snprintf(
-      text, sizeof text,
+  return text_of(
       "no two faces are opposite each other: a coefficient of friction of %.2f is needed, "
       "at most %.2f is allowed",
       needed, allowed);
-  return text;
 }
 
 /// Narrows the faces down, and notes what the nearest of the rejected ones lack.
@@ -72,19 +68,6 @@ class Selection {
   }
 
  private:
-  static std::vector<Faces> refuse(Grasps& result, Status status, const std::string& reason) {
-    result.status = status;
-    result.reason = reason;
-    return {};
-  }
-
-  template <class Predicate>
-  static void keep(std::vector<Faces>& faces, const Predicate& fits) {
-    faces.erase(
-        std::remove_if(faces.begin(), faces.end(), [&](const Faces& pair) { return !fits(pair); }),
-        faces.end());
-  }
-
   const Problem& problem_;
   const Options& options_;
   const Jaw& jaw_;
@@ -137,20 +120,20 @@ double cost(const Faces& faces) {
   return faces.friction + faces.load + std::hypot(faces.lever, faces.offset) / kLever;
 }
 
-std::string in_mm(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f mm", 1000 * length);
-  return text;
+std::string in_mm(double length) { return text_of("%.0f mm", 1000 * length); }
+
+std::vector<Faces> refuse(Grasps& result, Status status, const std::string& reason) {
+  result.status = status;
+  result.reason = reason;
+  return {};
 }
 
 std::string too_heavy(const std::string& held_by, double away, const Faces& best, double press,
                       double mass) {
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "held by %s %.0f mm from the centre of mass, the pads bear %.2f kg at %.3g N a "
-                "finger; it weighs %.2f kg",
-                held_by.c_str(), 1000 * away, *best.max_mass, press, mass);
-  return text;
+  return text_of(
+      "held by %s %.0f mm from the centre of mass, the pads bear %.2f kg at %.3g N a finger; it "
+      "weighs %.2f kg",
+      held_by.c_str(), 1000 * away, *best.max_mass, press, mass);
 }
 
 Faces weighed(Faces faces, const Problem& problem, double height) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,24 @@ struct Grasps {
   Status status = Status::solved;
   std::string reason;
 };
+
+/// Notes why no faces are left, and returns none.
+std::vector<Faces> refuse(Grasps& result, Status status, const std::string& reason);
+
+template <class Fits>
+void keep(std::vector<Faces>& faces, const Fits& fits) {
+  faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [&](const Faces& pair) { return !fits(pair); }),
+      faces.end());
+}
+
+/// A formatted text, as by printf(), of at most 255 characters.
+template <class... Numbers>
+std::string text_of(const char* format, Numbers... numbers) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
 
 /// Finds walls of an object with heights that fit the hand and hold the object, or notes in
 /// `result` what the nearest of the others lack.

@@ -24,8 +24,7 @@ LinkShapes shapes_of(const robot::Robot& robot, const std::vector<std::string>& 
   LinkShapes found;
   std::copy_if(robot.shapes().begin(), robot.shapes().end(), std::back_inserter(found),
                [&](const robot::LinkShape& shape) {
-                 return robot::contains(links,
-                                        robot.frame_names()[static_cast<std::size_t>(shape.link)]);
+                 return robot::contains(links, robot.frame_names()[shape.link]);
                });
   return found;
 }
@@ -36,12 +35,11 @@ std::vector<geometry::PlacedShape> in_hand(const slide::Problem& problem, const 
   const robot::Robot& robot = problem.robot;
   robot::Poses X_WL;
   robot.forward(q, X_WL);
-  const Isometry3d X_HW =
-      X_WL[static_cast<std::size_t>(robot.frame(problem.hand.grasp_frame))].inverse();
+  const Isometry3d X_HW = X_WL[robot.frame(problem.hand.grasp_frame)].inverse();
   std::vector<geometry::PlacedShape> placed;
   for (const robot::LinkShape& shape : shapes) {
     placed.push_back(shape.placed);
-    placed.back().X_BG = X_HW * X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG;
+    placed.back().X_BG = X_HW * X_WL[shape.link] * shape.placed.X_BG;
   }
   return placed;
 }
@@ -211,7 +209,7 @@ Eigen::VectorXd Jaw::contact_rates(const Grip& grip) const {
   const robot::Robot& robot = problem_.robot;
   robot::Poses X_WL;
   robot.forward(grip.q, X_WL);
-  const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(robot.frame(problem_.hand.grasp_frame))];
+  const Isometry3d& X_WH = X_WL[robot.frame(problem_.hand.grasp_frame)];
   const auto closing = [&](const LinkShapes& face, const Vector3d& inward_H) {
     const auto reach = [&](const robot::LinkShape& shape) {
       return Shapes(problem_, {shape}, grip.q).extent(inward_H);

@@ -26,8 +26,7 @@ Press::Press(const Problem& problem, const Options& options, const Jaw& jaw) {
     for (Eigen::Index j = 0; j < rates.size(); ++j) {
       if (rates[j] < kIdle) continue;
       forces_[k] = std::min(forces_[k], kGrip * limits[j] / rates[j]);
-      if (!std::isfinite(limits[j]))
-        unknown_ = problem.robot.joint_names()[static_cast<std::size_t>(j)];
+      if (!std::isfinite(limits[j])) unknown_ = problem.robot.joint_names()[j];
     }
     if (!std::isfinite(forces_[k])) forces_[k] = 0;
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -82,26 +81,6 @@ const Faces& least_of(const std::vector<Faces>& faces, const Number& number) {
                            [&](const Faces& a, const Faces& b) { return number(a) < number(b); });
 }
 
-std::vector<Faces> refused_walls(Grasps& result, Status status, const std::string& reason) {
-  result.status = status;
-  result.reason = reason;
-  return {};
-}
-
-template <class... Numbers>
-std::string text_of(const char* format, Numbers... numbers) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
-}
-
-template <class Fits>
-void keep(std::vector<Faces>& faces, const Fits& fits) {
-  faces.erase(
-      std::remove_if(faces.begin(), faces.end(), [&](const Faces& wall) { return !fits(wall); }),
-      faces.end());
-}
-
 /// Walls that fit between the fingers, with faces that are opposite each other.
 std::vector<Faces> thin_walls(std::vector<Faces> faces, const Options& options, const Jaw& jaw,
                               Grasps& result) {
@@ -109,10 +88,10 @@ std::vector<Faces> thin_walls(std::vector<Faces> faces, const Options& options, 
   const double slope = friction(least_of(faces, friction));
   keep(faces, [&](const Faces& wall) { return wall.friction <= options.friction; });
   if (faces.empty()) {
-    return refused_walls(result, Status::too_slippery,
-                         text_of("the walls lean or bend: a coefficient of friction of %.2f is "
-                                 "needed, at most %.2f is allowed",
-                                 slope, options.friction));
+    return refuse(result, Status::too_slippery,
+                  text_of("the walls lean or bend: a coefficient of friction of %.2f is "
+                          "needed, at most %.2f is allowed",
+                          slope, options.friction));
   }
   const auto width = [](const Faces& wall) { return wall.width; };
   const double thinnest = width(least_of(faces, width));
@@ -121,11 +100,11 @@ std::vector<Faces> thin_walls(std::vector<Faces> faces, const Options& options, 
        [&](const Faces& wall) { return wall.width <= opening && wall.width > jaw.least_gap(); });
   if (faces.empty()) {
     const std::string wall = "the wall is " + in_mm(thinnest) + " thick where it is thinnest, ";
-    return refused_walls(
-        result, Status::too_wide,
-        thinnest > opening ? wall + "the hand opens " + in_mm(jaw.opening()) + " and needs " +
-                                 in_mm(options.margin) + " on each side"
-                           : wall + "the closed fingers stay " + in_mm(jaw.least_gap()) + " apart");
+    return refuse(result, Status::too_wide,
+                  thinnest > opening
+                      ? wall + "the hand opens " + in_mm(jaw.opening()) + " and needs " +
+                            in_mm(options.margin) + " on each side"
+                      : wall + "the closed fingers stay " + in_mm(jaw.least_gap()) + " apart");
   }
   return faces;
 }
@@ -135,11 +114,11 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
                                  const Options& options, const Jaw& jaw, Grasps& result) {
   const Press press(problem, options, jaw);
   if (!press.unknown().empty()) {
-    return refused_walls(result, Status::unknown_force,
-                         "what the pads bear is unknown: the URDF has no effort limit for joint '" +
-                             press.unknown() +
-                             "', which closes the hand, and options.grip_force "
-                             "is not given");
+    return refuse(result, Status::unknown_force,
+                  "what the pads bear is unknown: the URDF has no effort limit for joint '" +
+                      press.unknown() +
+                      "', which closes the hand, and options.grip_force "
+                      "is not given");
   }
   for (Faces& wall : faces) {
     const Pads pads{problem.hand.pad_friction, press.at(wall.width), options.patch};
@@ -151,16 +130,16 @@ std::vector<Faces> bearing_walls(std::vector<Faces> faces, const Problem& proble
   if (!faces.empty()) return faces;
   const double away = 1000 * std::hypot(best.lever, best.offset);
   if (std::isinf(best.load)) {
-    return refused_walls(
+    return refuse(
         result, Status::too_heavy,
         text_of("no wall that fits the hand is upright and was seen on both sides down to %.0f mm "
                 "below the contacts, which is needed to hold it %.0f mm from its centre of mass: a "
                 "view from another side may help",
                 1000 * options.patch, away));
   }
-  return refused_walls(result, Status::too_heavy,
-                       too_heavy("a wall that is", std::hypot(best.lever, best.offset), best,
-                                 press.at(best.width), problem.object.mass()));
+  return refuse(result, Status::too_heavy,
+                too_heavy("a wall that is", std::hypot(best.lever, best.offset), best,
+                          press.at(best.width), problem.object.mass()));
 }
 
 }  // namespace
@@ -179,9 +158,9 @@ std::vector<Faces> measured_walls(std::vector<Faces> faces, const Problem& probl
   };
   faces.erase(std::remove_if(faces.begin(), faces.end(), is_off), faces.end());
   if (faces.empty()) {
-    return refused_walls(result, Status::too_flat,
-                         "the walls are ragged: none rises " + in_mm(options.patch) +
-                             " above its contacts, and keeps its faces, all along the pads");
+    return refuse(result, Status::too_flat,
+                  "the walls are ragged: none rises " + in_mm(options.patch) +
+                      " above its contacts, and keeps its faces, all along the pads");
   }
   faces = thin_walls(std::move(faces), options, jaw, result);
   return faces.empty() ? faces : bearing_walls(std::move(faces), problem, options, jaw, result);
@@ -194,10 +173,10 @@ std::vector<Faces> select_walls(const Problem& problem, const Options& options, 
   std::vector<Faces> faces = walls(*problem.object.heights(), problem.object.com(), length,
                                    levels(problem, options, least), options.patch);
   if (faces.empty()) {
-    return refused_walls(result, Status::too_flat,
-                         in_mm(problem.object.thickness()) + " high; no wall of " + in_mm(length) +
-                             " length rises " + in_mm(options.patch) + " above contacts that are " +
-                             in_mm(least) + " or more over the support");
+    return refuse(result, Status::too_flat,
+                  in_mm(problem.object.thickness()) + " high; no wall of " + in_mm(length) +
+                      " length rises " + in_mm(options.patch) + " above contacts that are " +
+                      in_mm(least) + " or more over the support");
   }
   faces = thin_walls(std::move(faces), options, jaw, result);
   if (!faces.empty()) faces = bearing_walls(std::move(faces), problem, options, jaw, result);
@@ -206,7 +185,7 @@ std::vector<Faces> select_walls(const Problem& problem, const Options& options, 
   const Faces widest = least_of(faces, [&](const Faces& wall) { return room.missing(wall); });
   keep(faces, [&](const Faces& wall) { return room.missing(wall) <= 0; });
   if (!faces.empty()) return faces;
-  return refused_walls(
+  return refuse(
       result, Status::no_room,
       text_of("the open fingers go %.0f to %.0f mm beside the middle of a wall and %.0f mm below "
               "its contacts: the object is %.0f mm too high there",

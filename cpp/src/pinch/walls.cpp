@@ -12,6 +12,7 @@
 
 #include "geometry/quantile.hpp"
 #include "pinch/wall_measure.hpp"
+#include "slide/friction/pressed.hpp"
 
 namespace graspless::pinch {
 
@@ -27,7 +28,6 @@ constexpr double kSwing = 0.1;  // of an object that hangs from the hand, before
 constexpr double kEven = 0.5;   // share of the moment that pads with uneven contacts bear
 constexpr double kMostRise = 0.75;  // in half pads: what is left of the contact is a noisy measure
 constexpr double kSeenHeight = 0.003;  // of what was seen of the side of a wall in a cell [m]
-constexpr double kGravity = 9.81;      // [m/s^2]
 
 /// The part of a wall in one column: samples from `begin` to before `end` are as high as the
 /// contacts, those from `inner_begin` to before `inner_end` reach above them.
@@ -157,7 +157,7 @@ std::optional<Faces> wall_through(const Section& section, const std::vector<std:
                 to = std::min(begin + count + beside, section.columns());
     for (Index c = way < 0 ? at : at + 1; c >= from && c < to; c += way) {
       const bool is_within = c >= begin && c < begin + count;
-      if (c != at) run = next_to(*run, runs[static_cast<std::size_t>(c)]);
+      if (c != at) run = next_to(*run, runs[c]);
       if (!run && is_within) return std::nullopt;
       if (!run) break;
       if (run->is_seen[0]) first.undersides.push_back(run->underside[0]);
@@ -187,7 +187,7 @@ std::vector<Faces> walls_in(const Section& section, double length, double height
   const Index stride = std::max<Index>(1, count / 4);
   std::vector<Faces> found;
   for (Index begin = 0; begin + count <= section.columns(); begin += stride) {
-    for (const Run& run : runs[static_cast<std::size_t>(begin + count / 2)]) {
+    for (const Run& run : runs[begin + count / 2]) {
       const auto wall = wall_through(section, runs, begin, count, run, height, above);
       if (wall) found.push_back(*wall);
     }
@@ -228,7 +228,7 @@ double largest_mass(const Faces& faces, const Pads& pads) {
                offset = std::max(0.0, faces.offset - swing);
   if (force <= 0 || faces.rise > kMostRise * a) return 0;
   const double load = std::hypot(1 / force, lever / twist);  // per newton of weight
-  return 1 / (kGravity * std::max(load, offset / tilt));
+  return 1 / (slide::kGravity * std::max(load, offset / tilt));
 }
 
 }  // namespace graspless::pinch

@@ -15,13 +15,12 @@ struct Joints {
 
   Eigen::VectorXd part(const Eigen::VectorXd& q) const {
     Eigen::VectorXd out(static_cast<Eigen::Index>(index.size()));
-    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = q[index[static_cast<std::size_t>(i)]];
+    for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = q[index[i]];
     return out;
   }
   Eigen::VectorXd full(const Eigen::VectorXd& part) const {
     Eigen::VectorXd out = rest;
-    for (Eigen::Index i = 0; i < part.size(); ++i)
-      out[index[static_cast<std::size_t>(i)]] = part[i];
+    for (Eigen::Index i = 0; i < part.size(); ++i) out[index[i]] = part[i];
     return out;
   }
   std::vector<Eigen::VectorXd> full(const std::vector<Eigen::VectorXd>& parts) const {

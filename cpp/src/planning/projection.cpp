@@ -3,6 +3,7 @@
 #include "graspless/planning/projection.hpp"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -66,6 +67,9 @@ bool BandProjection::is_satisfied(const Eigen::VectorXd& q) const {
 bool BandProjection::project(Eigen::VectorXd& q) const {
   constexpr double kNear =
       1e-9;  // tolerance while projecting; the slack is kept for the motions between
+  if (q.size() != limits_.lower.size())
+    throw std::invalid_argument("q must have " + std::to_string(limits_.lower.size()) +
+                                " joints, not " + std::to_string(q.size()));
   const auto num_rows = bands_.lower.size();
   Values value(num_rows), error(num_rows);
   Jacobian J(num_rows, q.size()), J_violated(num_rows, q.size());

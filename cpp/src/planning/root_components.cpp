@@ -34,7 +34,7 @@ std::vector<std::pair<int, int>> RootComponents::join(const Bridge& bridge) {
   Component& merged = components_[a];
   merged.starts.insert(merged.starts.end(), right.starts.begin(), right.starts.end());
   merged.goals.insert(merged.goals.end(), right.goals.begin(), right.goals.end());
-  components_.erase(components_.begin() + static_cast<std::ptrdiff_t>(b));
+  components_.erase(components_.begin() + b);
   return fresh;
 }
 

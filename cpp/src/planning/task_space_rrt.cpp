@@ -64,7 +64,7 @@ void TaskSpaceRRT::start_tree(const Termination& ptc) {
     ++num_grown_;
   }
   const auto last = static_cast<std::int64_t>(pre_expansions_.size()) - 1;
-  const int n = pre_expansions_[static_cast<std::size_t>(std::min(num_restarts_, last))];
+  const int n = pre_expansions_[std::min(num_restarts_, last)];
   for (int i = 0; i < n && !ptc; ++i) {
     random_task_(rng_, x_rand_);
     ts_extend(x_rand_);

@@ -124,8 +124,6 @@ bool TaskSpaceRRT::read_starts() {
   return true;
 }
 
-void TaskSpaceRRT::setup() { ob::Planner::setup(); }
-
 void TaskSpaceRRT::clear() {
   ob::Planner::clear();
   tree_.reset();

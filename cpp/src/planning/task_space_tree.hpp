@@ -44,11 +44,9 @@ class TaskSpaceRRT::Tree {
   /// Nearest node that was not yet extended towards this target; -1 if all were.
   int nearest_unextended(const Eigen::VectorXd& x, std::size_t target) const {
     const std::vector<bool>& extended = was_extended_[target];
-    return nearest_of(x, [&](int node) { return !extended[static_cast<std::size_t>(node)]; });
+    return nearest_of(x, [&](int node) { return !extended[node]; });
   }
-  void mark_extended(int node, std::size_t target) {
-    was_extended_[target][static_cast<std::size_t>(node)] = true;
-  }
+  void mark_extended(int node, std::size_t target) { was_extended_[target][node] = true; }
   void mark_extended(int node) {
     for (std::size_t t = 0; t < was_extended_.size(); ++t) mark_extended(node, t);
   }
@@ -57,8 +55,8 @@ class TaskSpaceRRT::Tree {
   }
 
   int size() const { return static_cast<int>(states_.size()); }
-  const State* state(int node) const { return states_[static_cast<std::size_t>(node)]; }
-  int parent(int node) const { return parents_[static_cast<std::size_t>(node)]; }
+  const State* state(int node) const { return states_[node]; }
+  int parent(int node) const { return parents_[node]; }
   Eigen::VectorXd x(int node) const { return x_.col(node); }
 
  private:

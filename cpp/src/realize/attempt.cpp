@@ -21,7 +21,7 @@ Grip grip_of(const Row& row, double radius) {
   const auto count = static_cast<Eigen::Index>(row.fingers.size());
   Grip grip{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const FingerState& finger = row.fingers[static_cast<std::size_t>(i)];
+    const FingerState& finger = row.fingers[i];
     grip.n_O.col(i) = finger.n_O.normalized();
     grip.center_O.col(i) = finger.p_OC - radius * grip.n_O.col(i);
   }

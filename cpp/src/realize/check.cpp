@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/bounds.hpp"
+#include "graspless/geometry/pose.hpp"
+
 #include "realize/examination.hpp"
 #include "realize/validate.hpp"
 #include "scene/rows.hpp"
@@ -98,7 +99,7 @@ bool Examination::has_sound_rows(const JointSegment& segment) {
   }
   for (std::size_t i = 0; i < segment.positions.size(); ++i) {
     const Eigen::VectorXd& q = segment.positions[i];
-    if (robot::is_configuration(robot_, q) && collision::is_pose(segment.X_WO[i])) continue;
+    if (robot::is_configuration(robot_, q) && geometry::is_pose(segment.X_WO[i])) continue;
     fault(i, "has the wrong size or a value that is not finite");
     return false;
   }

@@ -58,7 +58,7 @@ std::vector<std::vector<int>> links_of_fingers(const robot::Robot& robot, const 
                                                const std::vector<int>& finger_of_fingertip) {
   std::vector<std::vector<int>> links(finger_of_fingertip.size());
   for (std::size_t tip = 0; tip < links.size(); ++tip) {
-    auto& own = links[static_cast<std::size_t>(finger_of_fingertip[tip])];
+    auto& own = links[finger_of_fingertip[tip]];
     for (const std::string& link : carrier.links[tip]) own.push_back(robot.frame(link));
   }
   return links;
@@ -68,8 +68,7 @@ std::vector<int> frames_of_fingers(const robot::Robot& robot, const Carrier& car
                                    const std::vector<int>& finger_of_fingertip) {
   std::vector<int> frames(finger_of_fingertip.size());
   for (std::size_t tip = 0; tip < frames.size(); ++tip) {
-    frames[static_cast<std::size_t>(finger_of_fingertip[tip])] =
-        robot.frame(carrier.fingertips[tip]);
+    frames[finger_of_fingertip[tip]] = robot.frame(carrier.fingertips[tip]);
   }
   return frames;
 }
@@ -86,12 +85,12 @@ TipIk::TipIk(const robot::Robot& robot, std::vector<int> frames)
 }
 
 const std::string& TipIk::fingertip(int finger) const {
-  const auto frame = static_cast<std::size_t>(frames_[static_cast<std::size_t>(finger)]);
+  const auto frame = static_cast<std::size_t>(frames_[finger]);
   return robot_.frame_names()[frame];
 }
 
 Eigen::Isometry3d TipIk::pose(int finger, const Eigen::VectorXd& q) const {
-  return robot_.pose(frames_[static_cast<std::size_t>(finger)], q);
+  return robot_.pose(frames_[finger], q);
 }
 
 double TipIk::errors(const TipTargets& targets, const Eigen::VectorXd& q) {
@@ -100,8 +99,8 @@ double TipIk::errors(const TipTargets& targets, const Eigen::VectorXd& q) {
   Eigen::Index rows = 0;
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if ((targets.held >> i & 1U) == 0) continue;
-    const Eigen::Vector3d p_WT = X_WL_[static_cast<std::size_t>(frames_[i])].translation();
-    error_.segment<3>(rows) = targets.p_WT.col(static_cast<Eigen::Index>(i)) - p_WT;
+    const Eigen::Vector3d p_WT = X_WL_[frames_[i]].translation();
+    error_.segment<3>(rows) = targets.p_WT.col(i) - p_WT;
     rows += 3;
   }
   error_.conservativeResize(rows);
@@ -134,7 +133,7 @@ Eigen::VectorXd TipIk::step(const Eigen::VectorXd& q, double damping) {
     dq = J.transpose() * A.ldlt().solve(error_);
     bool stopped = false;
     for (Eigen::Index j = 0; j < dq.size(); ++j) {
-      const int joint = joints_[static_cast<std::size_t>(j)];
+      const int joint = joints_[j];
       const bool at_lower = dq[j] < 0 && q[joint] <= robot_.lower()[joint];
       const bool at_upper = dq[j] > 0 && q[joint] >= robot_.upper()[joint];
       if (!at_lower && !at_upper) continue;
@@ -170,8 +169,7 @@ bool TipIk::solve(const TipTargets& targets, double tolerance, int max_iteration
 
 Eigen::VectorXd TipIk::with(const Eigen::VectorXd& q, const Eigen::VectorXd& dq) const {
   Eigen::VectorXd next = q;
-  for (std::size_t j = 0; j < joints_.size(); ++j)
-    next[joints_[j]] += dq[static_cast<Eigen::Index>(j)];
+  for (std::size_t j = 0; j < joints_.size(); ++j) next[joints_[j]] += dq[j];
   return robot_.clamp(next);
 }
 
@@ -243,7 +241,7 @@ void HandScene::place_object(const Eigen::Isometry3d& X_WO) {
 
 void HandScene::allow() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Eigen::Vector3d out_W = -(X_WO_.linear() * n_O_.col(static_cast<Eigen::Index>(i)));
+    const Eigen::Vector3d out_W = -(X_WO_.linear() * n_O_.col(i));
     const double depth = (touching_ >> i & 1U) != 0 ? allowance_ : 0;
     for (const int link : links_[i]) {
       if (scene_.link_body(link) < 0) continue;

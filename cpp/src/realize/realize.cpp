@@ -16,7 +16,7 @@ constexpr double kLittle = 0.01;  // scrub, in radii, that nobody needs to impro
 
 /// All values of finger_of_fingertip.
 std::vector<std::vector<int>> assignments(int fingers) {
-  std::vector<int> assignment(static_cast<std::size_t>(fingers));
+  std::vector<int> assignment(fingers);
   std::iota(assignment.begin(), assignment.end(), 0);
   std::vector<std::vector<int>> all;
   do all.push_back(assignment);

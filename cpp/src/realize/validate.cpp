@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
+
 #include "text.hpp"
 
 namespace graspless::realize {
@@ -65,7 +67,7 @@ void check_segment(const Plan& plan, std::size_t k, std::size_t fingers) {
     throw malformed(k, "must have P rows for each of its " + std::to_string(arcs) + " arcs, not " +
                            std::to_string(segment.rows.size()) + " in all");
   for (const Eigen::Isometry3d& X_WO : segment.X_WO) {
-    if (!X_WO.matrix().allFinite()) throw malformed(k, "has a pose that is not finite");
+    if (!geometry::is_pose(X_WO)) throw malformed(k, "has a pose that is not rigid");
   }
   for (const Row& row : segment.rows) check_row(row, k, fingers);
 }

@@ -53,7 +53,7 @@ ClosedForm::ClosedForm(const std::vector<Screw>& screws, const Isometry3d& X_PE,
     if (joint != polish_.held) joint_[reversed ? 5 - i++ : i++] = joint;
   }
   free_axis_ = {Vector3d::UnitZ(), Vector3d::Zero()};
-  if (free != Free::none) free_axis_ = screws[static_cast<std::size_t>(polish_.held)];
+  if (free != Free::none) free_axis_ = screws[polish_.held];
   if (free == Free::last) {
     const Isometry3d X_EP = X_PE.inverse();
     free_axis_ = {X_EP.linear() * free_axis_.axis, X_EP * free_axis_.point};
@@ -63,7 +63,7 @@ ClosedForm::ClosedForm(const std::vector<Screw>& screws, const Isometry3d& X_PE,
 ClosedForm::Axes ClosedForm::ordered() const {
   Axes axes;
   for (std::size_t i = 0; i < 6; ++i) {
-    axes[i] = polish_.screws[static_cast<std::size_t>(joint_[i])];
+    axes[i] = polish_.screws[joint_[i]];
     if (reversed_) axes[i].axis *= -1;  // the inverse of e1 ... e6 is a product of inverse turns
   }
   return axes;

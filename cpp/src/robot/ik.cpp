@@ -11,6 +11,7 @@
 #include "robot/model.hpp"
 #include "robot/names.hpp"
 #include "robot/wraps.hpp"
+#include "text.hpp"
 
 namespace graspless::robot {
 
@@ -81,7 +82,8 @@ void check_options(const Ik::Options& options) {
   if (!(options.tolerance > 0)) throw std::invalid_argument("tolerance must be positive");
   if (options.max_iterations < 1) throw std::invalid_argument("max_iterations must be positive");
   if (options.restarts < 0) throw std::invalid_argument("restarts must not be negative");
-  if (options.free_samples < 0) throw std::invalid_argument("free_samples must not be negative");
+  require(options.free_samples >= 0 && options.free_samples <= 10000, "free_samples",
+          options.free_samples, "must lie in [0, 10000]");
 }
 
 /// A whole turn of a joint changes nothing, unless it is prismatic or another joint mimics it.
@@ -198,7 +200,7 @@ struct Ik::Impl {
   /// solutions compare equal.
   void reduce(VectorXd& values) const {
     for (std::size_t i = 0; i < group.size(); ++i) {
-      auto& value = values[static_cast<Eigen::Index>(i)];
+      auto& value = values[i];
       if (turns[i]) value = std::remainder(value, 2 * M_PI);
     }
   }

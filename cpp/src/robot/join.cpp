@@ -12,6 +12,7 @@
 
 #include <tinyxml.h>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/robot/description.hpp"
 
 #include "robot/names.hpp"
@@ -221,7 +222,7 @@ void keep_below(const std::string& root, Side& gripper) {
 }
 
 void check_mount(const Mount& mount, TiXmlElement& arm) {
-  if (!mount.X_MG.matrix().allFinite()) throw std::invalid_argument("pose must be finite");
+  geometry::require_pose(mount.X_MG, "pose");
   const Names links = names_of(arm, "link");
   if (links.count(mount.link) > 0) return;
   throw_unknown(mount.link, {links.begin(), links.end()}, "mount");

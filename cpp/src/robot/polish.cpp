@@ -44,7 +44,7 @@ Polish::Vector6d Polish::error_and_jacobian(const Eigen::Isometry3d& X_PE, const
   Matrix3d R = Matrix3d::Identity();
   Vector3d p = Vector3d::Zero();  // R, p: motion of the links so far
   for (int i = 0, column = 0; i < size; ++i) {
-    const auto& [axis, point] = screws[static_cast<std::size_t>(i)];
+    const auto& [axis, point] = screws[i];
     const Vector3d axis_now = R * axis, point_now = R * point + p;
     if (i != held) J.col(column++) << point_now.cross(axis_now), axis_now;
     const Turn turn = Turn::by(q[i]);

@@ -16,7 +16,7 @@ inline Eigen::RowVectorXd rates(const Robot& robot, int link, const Poses& X_WL,
                                 const Eigen::Vector3d& p_W, const Eigen::Vector3d& direction_W) {
   Eigen::Matrix<double, 6, Eigen::Dynamic> J;
   robot.jacobian(link, X_WL, J);
-  const Eigen::Vector3d arm = p_W - X_WL[static_cast<std::size_t>(link)].translation();
+  const Eigen::Vector3d arm = p_W - X_WL[link].translation();
   return direction_W.transpose() * J.topRows<3>() +
          arm.cross(direction_W).transpose() * J.bottomRows<3>();  // direction . (w x arm)
 }

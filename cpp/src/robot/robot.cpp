@@ -246,10 +246,9 @@ void require_configuration(const Robot& robot, const VectorXd& q, const std::str
     constexpr int kDigits = 9;  // limits are exceeded by little
     if (q[i] >= robot.lower()[i] - 1e-9 && q[i] <= robot.upper()[i] + 1e-9) continue;
     throw std::invalid_argument(
-        field + ": joint '" + robot.joint_names()[static_cast<std::size_t>(i)] + "' is " +
-        figure(q[i], kDigits) + ", outside its limits [" + figure(robot.lower()[i], kDigits) +
-        ", " + figure(robot.upper()[i], kDigits) + "] " +
-        (robot.step_weights()[i] > 1 ? "m" : "rad"));
+        field + ": joint '" + robot.joint_names()[i] + "' is " + figure(q[i], kDigits) +
+        ", outside its limits [" + figure(robot.lower()[i], kDigits) + ", " +
+        figure(robot.upper()[i], kDigits) + "] " + (robot.step_weights()[i] > 1 ? "m" : "rad"));
   }
 }
 

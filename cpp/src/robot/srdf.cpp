@@ -103,7 +103,7 @@ class SrdfReader {
   const Link* carried(const TiXmlElement& element) const {
     const std::string name = attribute(element, "name");
     const auto found = joints_.find(name);
-    if (found != joints_.end()) return &model_.links[static_cast<std::size_t>(found->second)];
+    if (found != joints_.end()) return &model_.links[found->second];
     if (virtual_joints_.count(name) == 0) fail(element, "the URDF has no joint '" + name + "'");
     return nullptr;
   }

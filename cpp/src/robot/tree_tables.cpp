@@ -24,7 +24,7 @@ std::vector<int> rigid_bodies(const Robot::Model& model) {
   std::vector<int> first;
   for (int link = 0; link < static_cast<int>(model.links.size()); ++link) {  // parents come first
     const Link& it = model.links[link];
-    first.push_back(link > 0 && it.joint < 0 ? first[static_cast<std::size_t>(it.parent)] : link);
+    first.push_back(link > 0 && it.joint < 0 ? first[it.parent] : link);
   }
   return first;
 }
@@ -116,7 +116,7 @@ std::set<std::pair<int, int>> neighbours(const Robot::Model& model) {
     if (ancestor >= 0) pairs.insert(ordered(ancestor, link));
     for (const int other : shaped) {
       if (other >= link) break;
-      if (body[static_cast<std::size_t>(other)] == body[static_cast<std::size_t>(link)]) {
+      if (body[other] == body[link]) {
         pairs.insert(ordered(other, link));
       }
     }

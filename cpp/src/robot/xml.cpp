@@ -49,8 +49,7 @@ void require_shallow(const std::string& xml, const std::string& what) {
       i = behind_tag(xml, i);
       if (i >= 2 && xml[i - 2] == '/' && xml[i - 1] == '>') continue;
       if (++depth <= kMaxXmlDepth) continue;
-      const auto line =
-          1 + std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(start), '\n');
+      const auto line = 1 + std::count(xml.begin(), xml.begin() + start, '\n');
       throw std::invalid_argument(what + " line " + std::to_string(line) +
                                   ": elements may be nested " + std::to_string(kMaxXmlDepth) +
                                   " deep at most, but these are deeper");

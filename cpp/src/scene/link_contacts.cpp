@@ -124,7 +124,7 @@ class ContactSampler {
     const auto [a, b] = links(pair);
     for (const int link : {a, b}) {
       robot_.forward_to(link, q_, X_WL_);
-      scene_.world().set_pose(scene_.link_body(link), X_WL_[static_cast<std::size_t>(link)]);
+      scene_.world().set_pose(scene_.link_body(link), X_WL_[link]);
     }
     const double rough = scene_.world().distance_bound(pair);
     if (rough > 0) return kApart + rough;

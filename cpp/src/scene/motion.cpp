@@ -65,9 +65,7 @@ void pass_outwards(const robot::Robot::Model& model, const Links& path, std::siz
 
 std::size_t common_length(const std::vector<int>& a, const std::vector<int>& b) {
   const auto shorter = std::min(a.size(), b.size());
-  return std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(shorter), b.begin())
-             .first -
-         a.begin();
+  return std::mismatch(a.begin(), a.begin() + shorter, b.begin()).first - a.begin();
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace graspless::scene {
 /// std::invalid_argument if a link with collision shapes has the name of one of the bodies.
 inline std::set<std::string> taken_names(const robot::Robot& robot, std::set<std::string> bodies) {
   for (const robot::LinkShape& shape : robot.shapes()) {
-    const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
+    const std::string& link = robot.frame_names()[shape.link];
     if (bodies.count(link) != 0) {
       throw std::invalid_argument(
           "robot: link '" + link +

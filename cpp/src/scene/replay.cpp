@@ -20,15 +20,14 @@ Replay::Replay(const robot::Robot& robot) : robot_(robot) { add_links(); }
 void Replay::add_links() {
   std::vector<std::vector<geometry::PlacedShape>> shapes(robot_.frame_names().size());
   for (const auto& shape : robot_.shapes()) {
-    shapes[static_cast<std::size_t>(shape.link)].push_back(shape.placed);
+    shapes[shape.link].push_back(shape.placed);
   }
   for (int link = 0; link < static_cast<int>(shapes.size()); ++link) {
-    if (shapes[static_cast<std::size_t>(link)].empty()) continue;
-    const int body = world_.add_body(robot_.frame_names()[static_cast<std::size_t>(link)],
-                                     shapes[static_cast<std::size_t>(link)]);
+    if (shapes[link].empty()) continue;
+    const int body = world_.add_body(robot_.frame_names()[link], shapes[link]);
     for (int other = 0; other < body; ++other) {
-      const int a = std::min(link, link_of_body_[static_cast<std::size_t>(other)]);
-      const int b = std::max(link, link_of_body_[static_cast<std::size_t>(other)]);
+      const int a = std::min(link, link_of_body_[other]);
+      const int b = std::max(link, link_of_body_[other]);
       if (robot_.ignored_pairs().count({a, b}) == 0) world_.add_pair(other, body);
     }
     link_of_body_.push_back(link);
@@ -38,7 +37,7 @@ void Replay::add_links() {
 int Replay::add(const std::string& name, const collision::Solid& solid, bool carries_base) {
   const int body = world_.add_body(name, solid);
   for (int link = 0; link < static_cast<int>(link_of_body_.size()); ++link) {
-    if (carries_base && is_base(robot_, link_of_body_[static_cast<std::size_t>(link)])) continue;
+    if (carries_base && is_base(robot_, link_of_body_[link])) continue;
     world_.add_pair(link, body);
   }
   return body;
@@ -63,7 +62,7 @@ std::vector<std::string> Replay::touching(const Eigen::VectorXd& q) {
 
 void Replay::place(const robot::Poses& X_WL) {
   for (std::size_t body = 0; body < link_of_body_.size(); ++body) {
-    world_.set_pose(static_cast<int>(body), X_WL[static_cast<std::size_t>(link_of_body_[body])]);
+    world_.set_pose(static_cast<int>(body), X_WL[link_of_body_[body]]);
   }
 }
 

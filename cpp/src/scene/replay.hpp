@@ -30,7 +30,7 @@ class Replay {
   }  ///< the first bodies of the world
   /// Index in the world of a link's body; -1 for a link without shapes.
   int body_of(const std::string& link) const;
-  int link_of(int body) const { return link_of_body_[static_cast<std::size_t>(body)]; }
+  int link_of(int body) const { return link_of_body_[body]; }
   const robot::Robot& robot() const { return robot_; }
 
   /// Moves the links' bodies.

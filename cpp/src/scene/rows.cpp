@@ -30,8 +30,8 @@ void check_rows(const robot::Robot& robot, Eigen::VectorXd before, double same,
     if (row == 0 && step > same) fault(row, "does not continue the segment before it");
     if (step > kLongestStep) {
       std::ostringstream text;
-      text << "joint '" << robot.joint_names()[static_cast<std::size_t>(joint)] << "' moves by "
-           << moved[joint] << (weights[joint] > 1 ? " m" : " rad") << " between rows";
+      text << "joint '" << robot.joint_names()[joint] << "' moves by " << moved[joint]
+           << (weights[joint] > 1 ? " m" : " rad") << " between rows";
       fault(row, text.str());
     }
     if (!robot.is_within(rows[row], 1e-6)) fault(row, "leaves the joint limits");

@@ -137,7 +137,7 @@ void Scene::detach(int body) {
 
 void Scene::keep_links_apart(double clearance, const std::vector<int>& joints,
                              const std::vector<Eigen::VectorXd>& given) {
-  std::vector<int> link_of(static_cast<std::size_t>(world_.num_bodies()), -1);
+  std::vector<int> link_of(world_.num_bodies(), -1);
   for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
     if (link_body_[link] >= 0) link_of[link_body_[link]] = link;
   }

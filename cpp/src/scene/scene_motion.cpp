@@ -29,7 +29,7 @@ bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double
 
 void Scene::update_motion_bounds() {
   if (motion_revision_ == world_.revision()) return;
-  std::vector<Carrier> carriers(static_cast<std::size_t>(world_.num_bodies()));
+  std::vector<Carrier> carriers(world_.num_bodies());
   for (int link = 0; link < static_cast<int>(link_body_.size()); ++link) {
     const int body = link_body_[link];
     if (body >= 0) carriers[body] = {link, {Eigen::Vector3d::Zero(), world_.radius(body)}};

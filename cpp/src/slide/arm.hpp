@@ -48,7 +48,7 @@ class GRASPLESS_API Arm {
   }
   /// Writes the arm's joints into a configuration q of all joints.
   void write(const Eigen::Ref<const Eigen::VectorXd>& arm, Eigen::VectorXd& q) const {
-    for (int i = 0; i < dof(); ++i) q[joints_[static_cast<std::size_t>(i)]] = arm[i];
+    for (int i = 0; i < dof(); ++i) q[joints_[i]] = arm[i];
   }
   /// Returns the configuration of all joints with the arm at `arm` and the hand open.
   Eigen::VectorXd full(const Eigen::Ref<const Eigen::VectorXd>& arm) const {
@@ -59,7 +59,7 @@ class GRASPLESS_API Arm {
   /// Returns the arm's joints of a configuration q.
   Eigen::VectorXd part(const Eigen::VectorXd& q) const {
     Eigen::VectorXd arm(dof());
-    for (int i = 0; i < dof(); ++i) arm[i] = q[joints_[static_cast<std::size_t>(i)]];
+    for (int i = 0; i < dof(); ++i) arm[i] = q[joints_[i]];
     return arm;
   }
 

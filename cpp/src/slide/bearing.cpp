@@ -60,7 +60,7 @@ class Finger {
   }
 
  private:
-  const Isometry3d& pose(int link) const { return X_WL_[static_cast<std::size_t>(link)]; }
+  const Isometry3d& pose(int link) const { return X_WL_[link]; }
   /// The last link that begins behind z.
   int link_at(double z) const {
     const auto begin = [&](int link) {
@@ -91,7 +91,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
   const Segment& close = plan.segments.back();
   robot.forward(close.positions.back(), X_WL);
   const int palm = robot.frame(problem.hand.grasp_frame);
-  const Isometry3d& X_WH = X_WL[static_cast<std::size_t>(palm)];
+  const Isometry3d& X_WH = X_WL[palm];
   std::vector<int> sliding, others;
   for (const std::string& name : problem.hand.fingers) {
     const bool slides = robot::contains(problem.hand.sliding_finger, name);
@@ -100,7 +100,7 @@ std::optional<Bearing> bearing(const Problem& problem, const Plan& plan) {
   if (sliding.empty() || others.empty()) return std::nullopt;
   const Finger own(robot, X_WL, palm, sliding), other(robot, X_WL, palm, others);
   const int tip = robot.frame(problem.hand.fingertip);
-  const double other_up = X_WL[static_cast<std::size_t>(tip)].linear()(2, 1);  // Y_F points to it
+  const double other_up = X_WL[tip].linear()(2, 1);  // Y_F points to it
   const auto& [lower, upper] = other_up > 0 ? std::tie(own, other) : std::tie(other, own);
 
   Bearing held{};

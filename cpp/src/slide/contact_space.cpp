@@ -97,20 +97,20 @@ void ContactSpace::rows(const Eigen::VectorXd& arm, BandProjection::Values& valu
   problem_.robot.forward_to(fingertip_, q_, X_WL_);
   row_values(value);
   if (!J) return;
-  const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
+  const Eigen::Isometry3d& X_WF = X_WL_[fingertip_];
   const Eigen::Vector3d x = X_WF.linear().col(0), z = X_WF.linear().col(2);
   problem_.robot.jacobian(fingertip_, X_WL_, J_);
   const Eigen::Vector3d dpitch = -z.cross(normal_W_),
                         droll = x.cross(normal_W_);  // (w x z).n = w.(z x n)
   for (int i = 0; i < arm_.dof(); ++i) {
-    const auto column = J_.col(arm_.joints()[static_cast<std::size_t>(i)]);
+    const auto column = J_.col(arm_.joints()[i]);
     J->col(i) << normal_W_.dot(column.head<3>()), dpitch.dot(column.tail<3>()),
         droll.dot(column.tail<3>());
   }
 }
 
 void ContactSpace::row_values(BandProjection::Values& value) const {
-  const Eigen::Isometry3d& X_WF = X_WL_[static_cast<std::size_t>(fingertip_)];
+  const Eigen::Isometry3d& X_WF = X_WL_[fingertip_];
   value << normal_W_.dot(X_WF.translation() - problem_.support.X_WS().translation()),
       -X_WF.linear().col(2).dot(normal_W_), X_WF.linear().col(0).dot(normal_W_);
 }
@@ -118,7 +118,7 @@ void ContactSpace::row_values(BandProjection::Values& value) const {
 Tip ContactSpace::tip_at(const Eigen::VectorXd& arm) {
   arm_.write(arm, q_);
   problem_.robot.forward_to(fingertip_, q_, X_WL_);
-  return tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
+  return tip(X_SW_ * X_WL_[fingertip_]);
 }
 
 Planar ContactSpace::effective(const Tip& tip) const {
@@ -129,7 +129,7 @@ bool ContactSpace::keeps_contact(Planar& effective) const {
   BandProjection::Values value(3);
   row_values(value);
   if (!projection_.is_satisfied(value)) return false;
-  const Tip now = tip(X_SW_ * X_WL_[static_cast<std::size_t>(fingertip_)]);
+  const Tip now = tip(X_SW_ * X_WL_[fingertip_]);
   if (!now.other_finger_up) return false;
   effective = this->effective(now);
   const geometry::Polygon& Q = problem_.support.polygon();

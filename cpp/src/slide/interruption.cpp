@@ -18,8 +18,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kDegree = 0.017453292519943295;  // [rad]
-
 /// Why the object does not lie flat on the support; empty if it does.
 std::string why_not_flat(const Problem& problem, const Eigen::Isometry3d& X_SO) {
   const Eigen::Vector3d com_O = problem.object.com();
@@ -45,7 +43,7 @@ Planar laid_flat(const Object& object, const Eigen::Isometry3d& X_SO) {
   return flat;
 }
 
-/// Why the fingertip does not press at `contact`, a position on the object; empty if it does.
+/// Why the fingertip does not press at p_OC, a position on the object; empty if it does.
 std::string why_off_object(const Query& query, const Eigen::Vector2d& p_OC) {
   const Object& object = query.problem.object;
   constexpr double kAtRim = 0.001;    // check()'s tolerance: contacts lie at the margin, too [m]
@@ -73,8 +71,8 @@ std::string why_far(const Query& query, const VectorXd& q, const VectorXd& corre
   Eigen::Index joint = 0;
   (corrected - q).cwiseProduct(robot.step_weights()).cwiseAbs().maxCoeff(&joint);
   return "q is " + figure(step, 3) + " rad from the nearest configuration to begin at (joint '" +
-         robot.joint_names()[static_cast<std::size_t>(joint)] + "'); at most " +
-         figure(kMaxCorrection, 3) + " rad is allowed";
+         robot.joint_names()[joint] + "'); at most " + figure(kMaxCorrection, 3) +
+         " rad is allowed";
 }
 
 Tip tip_at(const Query& query, const VectorXd& q) {

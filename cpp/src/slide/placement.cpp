@@ -140,7 +140,7 @@ std::vector<std::int32_t> contact_points(const Problem& problem, const Options& 
   const Eigen::VectorXd& depths = object.depths();
   const double margin = rim_margin(object, options), clear = pad_radius(problem.hand);
   std::vector<std::int32_t> kept;
-  kept.reserve(static_cast<std::size_t>((depths.array() >= margin).count()));
+  kept.reserve((depths.array() >= margin).count());
   for (const double radius : {clear, face_radius(problem.hand, options)}) {
     for (Eigen::Index i = 0; i < depths.size(); ++i) {
       if (i % kPolled == 0) poll();

@@ -17,6 +17,7 @@
 #include "robot/names.hpp"
 #include "slide/placement.hpp"
 #include "slide/task/hand_frames.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -35,7 +36,6 @@ std::string depth(collision::World& world, std::pair<int, int> bodies) {
 
 /// "frame at (x, y, z) m, heading yaw deg".
 std::string pose_of(const robot::Robot& robot, const std::string& frame, const Eigen::VectorXd& q) {
-  constexpr double kDegree = 0.017453292519943295;  // [rad]
   const Eigen::Isometry3d X_WF = robot.pose(robot.frame(frame), q);
   const Eigen::Vector3d p = X_WF.translation(), z = X_WF.linear().col(2);
   std::ostringstream out;
@@ -59,7 +59,6 @@ std::string finger_lengths(const Query& query, const Collision& collision) {
 
 /// The smallest lag of a kind; empty for other rejections.
 std::string smallest_lag(const Query& query, const std::string& why) {
-  constexpr double kDegree = 0.017453292519943295;  // [rad]
   const auto found = query.lags.find(why);
   if (found == query.lags.end()) return "";
   const Lag& lag = found->second;
@@ -99,7 +98,7 @@ std::vector<Counted> frequent(const Query& query, bool pairs_first) {
     const auto more = all.begin() + std::min(kPairs, others - all.begin());
     std::rotate(more, others, all.end());
   }
-  const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(kReasons, all.size()));
+  const auto end = all.begin() + std::min(kReasons, all.size());
   std::vector<Counted> found(all.begin(), end);
   const auto add_one_of = [&](const auto& kind) {
     const auto first = std::find_if(all.begin(), all.end(), [&](const Counted& counted) {
@@ -182,8 +181,7 @@ bool can_reach(const Query& query, Plan& plan) {
   plan.status = Status::no_start_root;
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: the fingertip"
-      << " gets at most " << reach << " m from '"
-      << robot.frame_names()[static_cast<std::size_t>(first)]
+      << " gets at most " << reach << " m from '" << robot.frame_names()[first]
       << "', and the nearest point of the object is " << nearest << " m from it";
   plan.reason = out.str();
   return false;

@@ -40,7 +40,6 @@ SlideSearch make_search(Query& query, const ob::SpaceInformationPtr& si,
                         std::shared_ptr<ob::GoalSampleableRegion> goals) {
   const int n = query.arm.dof();
   SlideSearch s;
-  s.si = si;
   s.problem = std::make_shared<ob::ProblemDefinition>(si);
   s.problem->setGoal(std::move(goals));
 

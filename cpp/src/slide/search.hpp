@@ -14,7 +14,6 @@ namespace graspless::slide {
 
 /// OMPL objects of one query: ForestCBiRRT (Algorithm 1) over the arm's joints.
 struct SlideSearch {
-  ompl::base::SpaceInformationPtr si;
   std::shared_ptr<ompl::base::ProblemDefinition> problem;
   std::shared_ptr<planning::ForestCBiRRT> planner;
 };

@@ -166,7 +166,7 @@ class ContactSet:
             R^1/2 of Eq. (7): the matrix that scales wrenches before they are measured, for instance
             `wrench_scale`. The identity by default.
         cone_edges : int
-            Number of edges of each polyhedral friction cone, at least 3.
+            Number of edges of each polyhedral friction cone, 3 to 1000.
         
         Raises
         ------

@@ -28,8 +28,7 @@ TEST_P(CloseHandOf, EndsWhereNoJointCanGoOn) {
     if (left == 0) continue;
     VectorXd next = end;
     next[joint] += std::clamp(left, -0.01, 0.01);
-    EXPECT_FALSE(space.is_free(next))
-        << problem.robot.joint_names()[static_cast<std::size_t>(joint)];
+    EXPECT_FALSE(space.is_free(next)) << problem.robot.joint_names()[joint];
     ++stopped;
   }
   EXPECT_GT(stopped, 0);  // the ring is in the way

@@ -95,8 +95,7 @@ TEST(ClaspPlan, TheTreeLeadsFromTheStartToTheClasp) {
   ASSERT_FALSE(plan.tree.path.empty());
   EXPECT_EQ(plan.tree.path.front(), 0);
   for (std::size_t i = 1; i < plan.tree.path.size(); ++i) {
-    EXPECT_EQ(plan.tree.parents[static_cast<std::size_t>(plan.tree.path[i])],
-              plan.tree.path[i - 1]);
+    EXPECT_EQ(plan.tree.parents[plan.tree.path[i]], plan.tree.path[i - 1]);
   }
   EXPECT_LE(n, plan.statistics.nodes);
   EXPECT_GT(plan.statistics.control_steps, 0);
@@ -278,8 +277,8 @@ Problem ring_before_a_fist() {
   std::string state = R"(<group_state name="fist" group="hand">)";
   for (const int joint : problem.robot.group("hand")) {
     const double value = 0.95 * problem.robot.state("closed")[joint];
-    state += "<joint name=\"" + problem.robot.joint_names()[static_cast<std::size_t>(joint)] +
-             "\" value=\"" + std::to_string(value) + "\"/>";
+    state += "<joint name=\"" + problem.robot.joint_names()[joint] + "\" value=\"" +
+             std::to_string(value) + "\"/>";
   }
   options.srdf.insert(options.srdf.find("</robot>"), state + "</group_state>");
   problem.robot = robot::Robot::from_urdf(problem.robot.urdf(), options);

@@ -100,7 +100,7 @@ TEST_P(OurHands, CloseFromThePreShape) {
   for (const int joint : robot_.group(hand_.hand)) {
     Eigen::VectorXd q = open;
     q[joint] += 0.25 * (closed[joint] - open[joint]);
-    EXPECT_TRUE(scene.is_free(open, q)) << robot_.joint_names()[static_cast<std::size_t>(joint)];
+    EXPECT_TRUE(scene.is_free(open, q)) << robot_.joint_names()[joint];
   }
 }
 

@@ -55,8 +55,7 @@ TEST(ClearanceTree, FindsTheLeastDistanceFromAnyHint) {
       const Vector3d point = random_vector(rng, i % 3 == 0 ? 10 : 0.4);
       const NearTriangle found = tree.nearest(point, static_cast<int>(rng() % triangles.size()));
       ASSERT_EQ(found.squared, least_square(triangles, point));
-      ASSERT_EQ(found.squared,
-                squared_distance(triangles[static_cast<std::size_t>(found.triangle)], point));
+      ASSERT_EQ(found.squared, squared_distance(triangles[found.triangle], point));
       ASSERT_EQ(tree.distance(point, 100), std::sqrt(found.squared));
     }
   }
@@ -71,8 +70,7 @@ TEST(ClearanceTree, EndsAtATriangleThatIsNearEnough) {
     const Vector3d point = random_vector(rng, 0.4);
     const double least = least_square(triangles, point), enough = uniform(rng, 0, 2) * least;
     const NearTriangle found = tree.nearest(point, static_cast<int>(rng() % 300), enough);
-    ASSERT_EQ(found.squared,
-              squared_distance(triangles[static_cast<std::size_t>(found.triangle)], point));
+    ASSERT_EQ(found.squared, squared_distance(triangles[found.triangle], point));
     if (least > enough) {
       ASSERT_EQ(found.squared, least);
       ++searched;

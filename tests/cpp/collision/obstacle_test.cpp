@@ -81,8 +81,7 @@ TEST(Obstacle, KeepsTheNotchOfAMeshOpen) {
     faces.push_back({i, 6 + j, 6 + i});
   }
   ell.triangles.resize(3, static_cast<Eigen::Index>(faces.size()));
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    ell.triangles.col(static_cast<Eigen::Index>(i)) = faces[i];
+  for (std::size_t i = 0; i < faces.size(); ++i) ell.triangles.col(i) = faces[i];
   const Obstacle obstacle{"ell", {{ell, Isometry3d::Identity()}}, Isometry3d::Identity(), 0.02};
   const auto grown = obstacle.grown();
   EXPECT_TRUE(touches(grown, {0.05, 0.05, 0.05}));   // inside

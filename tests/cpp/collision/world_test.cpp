@@ -198,7 +198,7 @@ TEST(World, FaultsNameTheFieldAndTheChoices) {
   Isometry3d broken = Isometry3d::Identity();
   broken.translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(complaint([&] { world.set_pose(0, broken); }).find("'a'"), std::string::npos);
-  EXPECT_NE(complaint([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("10000"),
+  EXPECT_NE(complaint([&] { world.set_pose(0, translation(2e4, 0, 0)); }).find("1e4 m"),
             std::string::npos);
   EXPECT_NE(complaint([&] { world.set_pose(-1, broken); }).find("-1"), std::string::npos);
   Isometry3d sheared = Isometry3d::Identity();

@@ -16,7 +16,7 @@ inline geometry::Mesh prism_mesh(const std::vector<Eigen::Vector2d>& outline, do
   const int n = static_cast<int>(outline.size());
   geometry::Mesh mesh{Eigen::Matrix3Xd(3, 2 * n), Eigen::Matrix3Xi(3, 4 * n - 4)};
   for (int i = 0; i < n; ++i) {
-    const Eigen::Vector2d& p = outline[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d& p = outline[i];
     mesh.vertices.col(i) << p.x(), 0, p.y();
     mesh.vertices.col(n + i) << p.x(), depth, p.y();
   }
@@ -63,7 +63,7 @@ inline geometry::Mesh sphere_mesh(int rings, int sectors) {
   }
   mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    mesh.triangles.col(static_cast<Eigen::Index>(k)) = triangles[k];
+    mesh.triangles.col(k) = triangles[k];
   }
   return mesh;
 }

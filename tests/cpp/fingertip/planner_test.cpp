@@ -64,7 +64,7 @@ TEST(FingertipPlanner, ReferenceCostsByTheFastEngine) {
 
 TEST(FingertipPlanner, ReferenceCostsByThePapersEngine) {
   for (const int i : {1, 2}) {
-    const Case it = paper_cases()[static_cast<std::size_t>(i)];
+    const Case it = paper_cases()[i];
     const Options options = with_engine(Search::paper);
     const Plan found = plan(it.problem, options);
     expect_well_formed(it.problem, options, found);

@@ -16,9 +16,8 @@ namespace {
 std::vector<int> by_comparisons(const std::vector<double>& numbers) {
   std::vector<int> order(numbers.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return numbers[static_cast<std::size_t>(a)] < numbers[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return numbers[a] < numbers[b]; });
   return order;
 }
 

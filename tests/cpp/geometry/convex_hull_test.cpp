@@ -39,7 +39,7 @@ Eigen::Matrix3Xd grid() {
 }
 
 Eigen::Matrix3Xd shuffled(const Eigen::Matrix3Xd& points, std::uint64_t seed) {
-  std::vector<int> order(static_cast<std::size_t>(points.cols()));
+  std::vector<int> order(points.cols());
   std::iota(order.begin(), order.end(), 0);
   std::mt19937_64 rng(seed);
   std::shuffle(order.begin(), order.end(), rng);

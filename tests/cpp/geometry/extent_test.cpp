@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The graspless authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,12 @@ TEST(Extent, OfACapsuleIsThatOfItsEndSpheres) {
     EXPECT_NEAR(extent({Capsule{0.1, 0.5}, X}, d), std::max(extent(upper, d), extent(lower, d)),
                 1e-12);
   }
+}
+
+TEST(Extent, OfNothingIsMinusInfinity) {
+  const double none = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(extent({Mesh{}, Eigen::Isometry3d::Identity()}, Eigen::Vector3d::UnitX()), none);
+  EXPECT_EQ(extent({Convex{}, Eigen::Isometry3d::Identity()}, Eigen::Vector3d::UnitX()), none);
 }
 
 }  // namespace

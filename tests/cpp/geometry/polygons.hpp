@@ -13,7 +13,7 @@ namespace graspless::geometry {
 
 inline Eigen::Matrix2Xd columns(const std::vector<Eigen::Vector2d>& points) {
   Eigen::Matrix2Xd v(2, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) v.col(static_cast<Eigen::Index>(i)) = points[i];
+  for (std::size_t i = 0; i < points.size(); ++i) v.col(i) = points[i];
   return v;
 }
 

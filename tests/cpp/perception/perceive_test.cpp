@@ -21,7 +21,7 @@ std::map<EdgeLabel, double> lengths_of(const Support& support) {
   std::map<EdgeLabel, double> lengths;
   for (int i = 0; i < support.polygon.size(); ++i) {
     const auto edge = support.polygon.edge(i);
-    lengths[support.edges[static_cast<std::size_t>(i)]] += (edge.b - edge.a).norm();
+    lengths[support.edges[i]] += (edge.b - edge.a).norm();
   }
   return lengths;
 }
@@ -36,7 +36,7 @@ double distance_to_table(const Support& support, const Eigen::Vector2d& p_S) {
 
 void expect_real_edges_are_true(const Support& support, double tolerance = 0.008) {
   for (int i = 0; i < support.polygon.size(); ++i) {
-    if (support.edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
+    if (support.edges[i] != EdgeLabel::real) continue;
     const auto edge = support.polygon.edge(i);
     for (const double t : {0.1, 0.5, 0.9}) {
       EXPECT_LT(distance_to_table(support, edge.a + t * (edge.b - edge.a)), tolerance);
@@ -206,7 +206,7 @@ TEST(Perceive, BoxesOnATableDoNotTiltItInACoarseImage) {
     const Eigen::Matrix2Xd& corners = support->polygon.vertices();
     EXPECT_GT(lengths_of(*support)[EdgeLabel::real], 3) << seed;
     for (Eigen::Index i = 0; i < corners.cols(); ++i) {
-      if (support->edges[static_cast<std::size_t>(i)] != EdgeLabel::real) continue;
+      if (support->edges[i] != EdgeLabel::real) continue;
       const Eigen::Vector2d middle = (corners.col(i) + corners.col((i + 1) % corners.cols())) / 2;
       const Eigen::Vector3d p = support->X_WS * Eigen::Vector3d(middle.x(), middle.y(), 0);
       EXPECT_GT(std::max(std::abs(p.x()) / 0.6, std::abs(p.y()) / 0.45), 0.93) << seed;

@@ -117,8 +117,7 @@ TEST(Raster, FittedEdgesOfATurnedSquareAreStraightAndKeepTheirLabels) {
     const auto edge = fitted.polygon.edge(i);
     const Eigen::Vector2d a = turn.inverse() * edge.a, b = turn.inverse() * edge.b;
     EXPECT_NEAR(std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()), 0.5, 0.01);
-    if (fitted.labels[static_cast<std::size_t>(i)] == EdgeLabel::occluded)
-      occluded += (b - a).norm();
+    if (fitted.labels[i] == EdgeLabel::occluded) occluded += (b - a).norm();
   }
   EXPECT_NEAR(occluded, 1, 0.06);
   EXPECT_NEAR(fitted.polygon.area(), 1, 0.01);

@@ -38,6 +38,13 @@ TEST(Shortcut, LeavesAPathWithoutShortcutsAlone) {
   EXPECT_EQ(shortcut(path, never, 50, rng), path);
 }
 
+TEST(Shortcut, RefusesConfigurationsOfDifferentSizes) {
+  const Path path{at(0, 0), Eigen::VectorXd::Zero(3), at(1, 1)};
+  std::mt19937_64 rng(1);
+  EXPECT_THROW(length(path), std::invalid_argument);
+  EXPECT_THROW(shortcut(path, around_disc, 50, rng), std::invalid_argument);
+}
+
 TEST(Subdivided, StepsAreSmallAndOnTheWay) {
   const Path path{at(0, 0), at(1, 0.5), at(1, 0.5), at(0.9, 0.5)};
   const Path fine = subdivided(path, 0.05);

@@ -81,6 +81,8 @@ TEST(BandProjection, RefusesNonsense) {
   EXPECT_THROW(BandProjection(rows, {values(0, 0), values(1, 1), values(0, 0)},
                               {Eigen::VectorXd::Zero(17), Eigen::VectorXd::Ones(17)}),
                std::invalid_argument);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(4);
+  EXPECT_THROW(make().project(q), std::invalid_argument);
 }
 
 }  // namespace

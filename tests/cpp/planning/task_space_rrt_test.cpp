@@ -102,7 +102,7 @@ TEST(TaskSpaceRRT, LeadsNoNodeTwiceTowardsOneTarget) {
     if (is_exploring) return;
     ++connections;
     for (int g = 0; g < 3; ++g) {
-      if (x_target != targets[static_cast<std::size_t>(g)]) continue;
+      if (x_target != targets[g]) continue;
       EXPECT_TRUE(led[g].insert(q).second) << "target " << g;
     }
   };

@@ -129,7 +129,7 @@ TEST(Resume, FollowsTheMeasuredObject) {
     ASSERT_TRUE(plans.back()) << plans.back().reason;
   }
   for (int i = 0; i < kCases; ++i) {
-    const Plan& whole = plans[static_cast<std::size_t>(i % kPlans)];
+    const Plan& whole = plans[i % kPlans];
     std::uniform_int_distribution<std::size_t> row(0, slide_of(whole).positions.size() - 1);
     Interruption at = at_row(whole, row(rng));
     at.X_WO = turned(shifted(at.X_WO, offset(rng), offset(rng), offset(rng) / 4), yaw(rng),

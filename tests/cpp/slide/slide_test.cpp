@@ -575,7 +575,7 @@ TEST(Plan, SaysWhatTheOpenHandNeedsBesidesTheObject) {
   const std::string text = jaw_lengths(p, q, p.X_WO_start, "left_finger");
   double low = 1e9, high = -1e9;
   for (const auto& shape : p.robot.shapes()) {
-    const std::string& link = p.robot.frame_names()[static_cast<std::size_t>(shape.link)];
+    const std::string& link = p.robot.frame_names()[shape.link];
     if (link != "left_finger" && link != "right_finger") continue;
     const Eigen::Isometry3d X_WL = p.robot.pose(shape.link, q);
     const Eigen::Vector3d up_L = X_WL.linear().transpose() * Eigen::Vector3d::UnitZ();

@@ -83,14 +83,15 @@ using Motion = std::variant<Path, Lattice, Goal>;
 constexpr int kMaxPoses = 100000;  ///< largest number of poses of a Path
 
 /// Returns a straight slide from X_WO_start by `translation_W` [m] in equal segments. Throws
-/// std::invalid_argument unless there are 1 to kMaxPoses - 1 segments and the translation is finite
-/// and not zero.
+/// std::invalid_argument unless X_WO_start is rigid, there are 1 to kMaxPoses - 1 segments, and the
+/// translation is finite and not zero.
 GRASPLESS_API Path slide_path(const Eigen::Isometry3d& X_WO_start,
                               const Eigen::Vector3d& translation_W, int segments);
 /// Returns a tumble over an edge or a turn on the floor, in equal segments: a rotation by `angle`
 /// [rad, right-handed] about the line through `point_W` along `axis_W`. A segment turns by 3 rad at
-/// most. Throws std::invalid_argument that names the argument unless there are 1 to kMaxPoses - 1
-/// segments, enough for the angle, all is finite, and neither axis nor angle is zero.
+/// most. Throws std::invalid_argument that names the argument unless X_WO_start is rigid, there are
+/// 1 to kMaxPoses - 1 segments, enough for the angle, all is finite, and neither axis nor angle is
+/// zero.
 GRASPLESS_API Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point_W,
                              const Eigen::Vector3d& axis_W, double angle, int segments);
 /// Joins paths into one. Throws std::invalid_argument unless each starts where the one before it

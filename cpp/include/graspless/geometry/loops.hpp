@@ -118,7 +118,7 @@ struct ClaspTarget {
 /// Returns `count` targets at equal arc length, the first at the loop's first corner. Each tangent
 /// is the chord over an arc as long as the distance between targets, so it does not follow the
 /// zigzag of the cloud. `loop`: corners of the closed polyline, 3 x n [m]. Throws
-/// std::invalid_argument unless `count` is positive and the loop has at least 3 corners and a
+/// std::invalid_argument unless `count` is 1 to 10^6 and the loop has at least 3 corners and a
 /// positive length.
 GRASPLESS_API std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count);
 

@@ -60,7 +60,7 @@ struct PlacedShape {
 GRASPLESS_API void validate(const Shape& shape, const std::string& what);
 
 /// Support function of a shape: its largest coordinate along a unit direction of B, from B's origin
-/// [m].
+/// [m]; minus infinity for a hull or mesh without vertices.
 GRASPLESS_API double extent(const PlacedShape& placed, const Eigen::Vector3d& direction_B);
 
 /// Largest padding of a shape [m], and most triangles of the meshes of a body that gets one.

@@ -66,7 +66,7 @@ struct ContactSet {
   Vector6d known_wrench_O = Vector6d::Zero();
   /// R^1/2: matrix that scales a wrench in O about the centre of mass before it is measured.
   Matrix6d wrench_scale = Matrix6d::Identity();
-  int cone_edges = 6;  ///< s: number of edges of a polyhedral friction cone, at least 3
+  int cone_edges = 6;  ///< s: number of edges of a polyhedral friction cone, 3 to 1000
 };
 
 /// Throws std::invalid_argument that names the field and its value, prefixed by `what`. Refused are

@@ -17,7 +17,7 @@ struct Plane {
   std::string name = "floor";
   Eigen::Vector3d n_W = Eigen::Vector3d::UnitZ();  ///< out of the solid, unit
   double offset = 0;                               ///< n_W . p of its surface points [m]
-  double friction = 0.5;                           ///< coefficient, in [0, inf)
+  double friction = 0.5;                           ///< coefficient, in [0, 10000]
 };
 
 /// Pose and velocity of an object at one instant.

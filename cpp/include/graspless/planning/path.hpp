@@ -20,12 +20,13 @@ using Path = std::vector<Eigen::VectorXd>;
 using Connect =
     std::function<std::optional<Path>(const Eigen::VectorXd& from, const Eigen::VectorXd& to)>;
 
-/// Returns the sum of the Euclidean lengths of a path's motions.
+/// Returns the sum of the Euclidean lengths of a path's motions. Throws std::invalid_argument
+/// unless all configurations have one size.
 GRASPLESS_API double length(const Path& path);
 
 /// Shortens a path: tries `rounds` times to replace the part between two random points by the path
 /// that `connect` returns, and keeps it if it is shorter. Every motion of the result is one of the
-/// path's own or one of `connect`'s, so a constraint that both keep is kept.
+/// path's own or one of `connect`'s, so a constraint that both keep is kept. Throws like length().
 GRASPLESS_API Path shortcut(Path path, const Connect& connect, int rounds, std::mt19937_64& rng);
 
 /// Returns the path with every motion subdivided so that no joint, times its weight, moves by more

@@ -42,7 +42,8 @@ class GRASPLESS_API BandProjection {
   bool is_satisfied(const Values& value) const;
 
   /// Moves q into the bands. Returns false if that takes more than max_iterations or the limits
-  /// prevent it; q is modified in either case.
+  /// prevent it; q is modified in either case. Throws std::invalid_argument if q differs from the
+  /// limits in size.
   bool project(Eigen::VectorXd& q) const;
 
  private:

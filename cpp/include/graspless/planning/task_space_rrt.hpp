@@ -70,7 +70,6 @@ class GRASPLESS_API TaskSpaceRRT : public ompl::base::Planner {
 
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& ptc) override;
   void clear() override;
-  void setup() override;
   void getPlannerData(ompl::base::PlannerData& data) const override;
 
   /// A node of the current tree.

@@ -82,8 +82,8 @@ Certificate certificate(const Problem& problem, const Eigen::VectorXd& q, int lo
   result.thickness = 2 * link.loop.radius;
   result.gap = link.ring.gap;
   for (std::size_t i = 0; i < 2; ++i) {
-    const int of_ball = hand.links[static_cast<std::size_t>(link.ring.balls[i])];
-    result.between[i] = problem.robot.frame_names()[static_cast<std::size_t>(of_ball)];
+    const int of_ball = hand.links[link.ring.balls[i]];
+    result.between[i] = problem.robot.frame_names()[of_ball];
   }
   if (options.moves == 0) return result;
   const auto clearance = problem.object.borrow_outer_clearance();

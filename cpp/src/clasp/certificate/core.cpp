@@ -22,7 +22,7 @@ using Facet = geometry::Delaunay::Facet;
 std::vector<bool> closed_facets(const std::vector<Facet>& facets,
                                 const geometry::Complex& complex) {
   std::vector<std::array<int, 3>> triangles;
-  triangles.reserve(static_cast<std::size_t>(complex.triangles.cols()));
+  triangles.reserve(complex.triangles.cols());
   for (const auto& column : complex.triangles.colwise())
     triangles.push_back({column[0], column[1], column[2]});
   std::sort(triangles.begin(), triangles.end());
@@ -37,12 +37,12 @@ std::vector<bool> closed_facets(const std::vector<Facet>& facets,
 
 /// Regions that can be reached from outside through facets that are not closed.
 std::vector<bool> outside(const geometry::Delaunay& delaunay, const std::vector<bool>& closed) {
-  std::vector<std::vector<int>> beyond(static_cast<std::size_t>(delaunay.num_regions));
+  std::vector<std::vector<int>> beyond(delaunay.num_regions);
   for (std::size_t i = 0; i < delaunay.facets.size(); ++i) {
     if (closed[i]) continue;
     const auto [a, b] = delaunay.facets[i].regions;
-    beyond[static_cast<std::size_t>(a)].push_back(b);
-    beyond[static_cast<std::size_t>(b)].push_back(a);
+    beyond[a].push_back(b);
+    beyond[b].push_back(a);
   }
   std::vector<bool> reached(beyond.size(), false);
   std::vector<int> open{0};
@@ -52,8 +52,8 @@ std::vector<bool> outside(const geometry::Delaunay& delaunay, const std::vector<
     const auto at = static_cast<std::size_t>(open.back());
     open.pop_back();
     for (const int next : beyond[at]) {
-      if (reached[static_cast<std::size_t>(next)]) continue;
-      reached[static_cast<std::size_t>(next)] = true;
+      if (reached[next]) continue;
+      reached[next] = true;
       open.push_back(next);
     }
   }
@@ -82,12 +82,12 @@ Core::Core(const geometry::Complex& complex) {
   const geometry::Delaunay delaunay = geometry::delaunay(complex.points);
   if (delaunay.dimension < 3) return;
   const std::vector<bool> is_out = outside(delaunay, closed_facets(delaunay.facets, complex));
-  const auto in = [&](int region) { return !is_out[static_cast<std::size_t>(region)]; };
+  const auto in = [&](int region) { return !is_out[region]; };
 
   std::vector<int> node_of_region(is_out.size(), -1), corners(is_out.size(), 0);
   std::vector<Vector3d> nodes;
   const auto node_of = [&](int region) -> int& {
-    int& node = node_of_region[static_cast<std::size_t>(region)];
+    int& node = node_of_region[region];
     if (node < 0) {
       node = static_cast<int>(nodes.size());
       nodes.push_back(Vector3d::Zero());
@@ -101,14 +101,13 @@ Core::Core(const geometry::Complex& complex) {
     if (first != second) rim.emplace_back(facet.vertices.data());
     const Vector3d at = middle(facet, complex.points);
     // The mean of the middles of its four facets is the middle of a tetrahedron.
-    if (first) nodes[static_cast<std::size_t>(node_of(facet.regions[0]))] += at / 4;
-    if (second) nodes[static_cast<std::size_t>(node_of(facet.regions[1]))] += at / 4;
+    if (first) nodes[node_of(facet.regions[0])] += at / 4;
+    if (second) nodes[node_of(facet.regions[1])] += at / 4;
   }
   if (rim.empty()) return;
   boundary_.vertices = complex.points;
   boundary_.triangles.resize(3, static_cast<Eigen::Index>(rim.size()));
-  for (std::size_t i = 0; i < rim.size(); ++i)
-    boundary_.triangles.col(static_cast<Eigen::Index>(i)) = rim[i];
+  for (std::size_t i = 0; i < rim.size(); ++i) boundary_.triangles.col(i) = rim[i];
   surface_ = std::make_unique<collision::ClearanceTree>(collision::surface_triangles(boundary_));
   cast_shadows();
 
@@ -123,17 +122,15 @@ Core::Core(const geometry::Complex& complex) {
     const Vector3d at = middle(facet, complex.points);
     const auto node = static_cast<int>(nodes.size());
     nodes.push_back(at);
-    const Thin& beside = clear[static_cast<std::size_t>(node_of(facet.regions[0]))];
+    const Thin& beside = clear[node_of(facet.regions[0])];
     const double here = thin(at, beside.near).clear;
     for (const int region : facet.regions) {
       const int other = node_of(region);
-      edges_.push_back(
-          {other, node, -std::min(here, clear[static_cast<std::size_t>(other)].clear)});
+      edges_.push_back({other, node, -std::min(here, clear[other].clear)});
     }
   }
   points_.resize(3, static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    points_.col(static_cast<Eigen::Index>(i)) = nodes[i];
+  for (std::size_t i = 0; i < nodes.size(); ++i) points_.col(i) = nodes[i];
 }
 
 /// Computes shadows_.
@@ -288,8 +285,7 @@ CoreLoop Core::loop(const Eigen::Matrix3Xd& curve) const {
   // The clearance does not tell inside from outside: one corner does, for all.
   if (contains(loop[0].at)) result.radius = std::max(0.0, thicken(loop));
   result.points.resize(3, static_cast<Eigen::Index>(loop.size()));
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    result.points.col(static_cast<Eigen::Index>(i)) = loop[i].at;
+  for (std::size_t i = 0; i < loop.size(); ++i) result.points.col(i) = loop[i].at;
   return result;
 }
 

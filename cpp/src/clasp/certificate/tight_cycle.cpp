@@ -62,8 +62,7 @@ class Cone {
 /// Trees of points. Knows for each point the crossings on the way to its root.
 class Forest {
  public:
-  explicit Forest(Eigen::Index points)
-      : parents_(static_cast<std::size_t>(points)), counts_(static_cast<std::size_t>(points), 0) {
+  explicit Forest(Eigen::Index points) : parents_(points), counts_(points, 0) {
     std::iota(parents_.begin(), parents_.end(), 0);
   }
 
@@ -80,8 +79,8 @@ class Forest {
   }
   /// Joins the trees of two points; the way from a to b crosses `crossings` times.
   void join(const Place& a, const Place& b, int crossings) {
-    parents_[static_cast<std::size_t>(b.root)] = a.root;
-    counts_[static_cast<std::size_t>(b.root)] = a.crossings + crossings - b.crossings;
+    parents_[b.root] = a.root;
+    counts_[b.root] = a.crossings + crossings - b.crossings;
   }
 
  private:
@@ -90,24 +89,24 @@ class Forest {
 
 /// Way from a to b along edges of a forest.
 std::vector<int> way(const std::vector<SpatialEdge>& edges, Eigen::Index points, int a, int b) {
-  std::vector<std::vector<int>> next(static_cast<std::size_t>(points));
+  std::vector<std::vector<int>> next(points);
   for (const SpatialEdge& edge : edges) {
-    next[static_cast<std::size_t>(edge.a)].push_back(edge.b);
-    next[static_cast<std::size_t>(edge.b)].push_back(edge.a);
+    next[edge.a].push_back(edge.b);
+    next[edge.b].push_back(edge.a);
   }
-  std::vector<int> from(static_cast<std::size_t>(points), -1), open{b};
-  from[static_cast<std::size_t>(b)] = b;
-  while (from[static_cast<std::size_t>(a)] < 0) {
+  std::vector<int> from(points, -1), open{b};
+  from[b] = b;
+  while (from[a] < 0) {
     const int at = open.back();
     open.pop_back();
-    for (const int to : next[static_cast<std::size_t>(at)]) {
-      if (from[static_cast<std::size_t>(to)] >= 0) continue;
-      from[static_cast<std::size_t>(to)] = at;
+    for (const int to : next[at]) {
+      if (from[to] >= 0) continue;
+      from[to] = at;
       open.push_back(to);
     }
   }
   std::vector<int> result{a};
-  while (result.back() != b) result.push_back(from[static_cast<std::size_t>(result.back())]);
+  while (result.back() != b) result.push_back(from[result.back()]);
   return result;
 }
 

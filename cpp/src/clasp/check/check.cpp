@@ -53,7 +53,7 @@ Faults PlanChecker::run() {
 }
 
 const Eigen::Matrix3Xd& PlanChecker::loop_points() const {
-  return problem_.object.loops().found[static_cast<std::size_t>(plan_.loop)].points;
+  return problem_.object.loops().found[plan_.loop].points;
 }
 
 bool PlanChecker::is_complete() {
@@ -153,7 +153,7 @@ void PlanChecker::check_closed_until_contact() {
     Eigen::VectorXd q = q_end();
     q[joint] += sign * step;
     if (replay_.touching(q).empty() && !replay_.world().collides()) {
-      fault("close", "joint ", problem_.robot.joint_names()[static_cast<std::size_t>(joint)],
+      fault("close", "joint ", problem_.robot.joint_names()[joint],
             " could close further before anything touches");
     }
   }

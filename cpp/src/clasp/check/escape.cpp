@@ -34,7 +34,7 @@ class MovingObject {
     problem.robot.forward(q, X_WL_);
     for (const auto& shape : problem.robot.shapes()) {
       const int body = world_.add_body(std::to_string(world_.num_bodies()), {shape.placed});
-      world_.set_pose(body, X_WL_[static_cast<std::size_t>(shape.link)]);
+      world_.set_pose(body, X_WL_[shape.link]);
       pairs_.push_back({shape.link, world_.num_pairs()});
       world_.add_pair(object_, body);
     }
@@ -125,8 +125,7 @@ HandBall hand_ball(const Problem& problem, const Eigen::VectorXd& q) {
 }  // namespace
 
 bool comes_free(const Problem& problem, int loop, const Eigen::VectorXd& q) {
-  const Eigen::Matrix3Xd& p_OL =
-      problem.object.loops().found[static_cast<std::size_t>(loop)].points;
+  const Eigen::Matrix3Xd& p_OL = problem.object.loops().found[loop].points;
   const HandBall hand = hand_ball(problem, q);
   // The curves lie in this ball, so a loop outside it is out of the hand.
   const auto is_out = [&](const Eigen::Isometry3d& X_WO) {

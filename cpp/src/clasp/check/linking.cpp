@@ -52,7 +52,7 @@ double double_integral(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
 }
 
 Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen::VectorXd& q) {
-  const auto& down = problem.hand.fingers[static_cast<std::size_t>(finger)].nodes;
+  const auto& down = problem.hand.fingers[finger].nodes;
   const auto& up = problem.hand.thumb.nodes;
   std::vector<CurveNode> nodes(down.rbegin(), down.rend());
   nodes.insert(nodes.end(), up.begin(), up.end());
@@ -61,7 +61,7 @@ Eigen::Matrix3Xd curve_in_world(const Problem& problem, int finger, const Eigen:
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto link = static_cast<std::size_t>(problem.robot.frame(nodes[i].link));
-    points.col(static_cast<Eigen::Index>(i)) = X_WL[link] * nodes[i].p_L;
+    points.col(i) = X_WL[link] * nodes[i].p_L;
   }
   return points;
 }

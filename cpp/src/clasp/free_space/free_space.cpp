@@ -18,7 +18,7 @@ FreeSpace::FreeSpace(const Problem& problem)
   for (const int link : object_.links()) {
     if (!robot_.reach(link).isZero(0)) {
       links_.push_back(link);
-    } else if (object_.check(link, X_WL_[at(link)], 0).touches) {
+    } else if (object_.check(link, X_WL_[link], 0).touches) {
       base_touches_object_ = true;
     }
   }
@@ -30,7 +30,7 @@ void FreeSpace::update_poses(const Eigen::VectorXd& q) {
 }
 
 bool FreeSpace::misses_object() {
-  const auto touches = [&](int link) { return object_.check(link, X_WL_[at(link)], 0).touches; };
+  const auto touches = [&](int link) { return object_.check(link, X_WL_[link], 0).touches; };
   const auto touching = std::find_if(links_.begin(), links_.end(), touches);
   if (touching == links_.end()) return true;
   // The same link is likely to collide at the next configuration, so it is checked first.
@@ -49,8 +49,8 @@ std::pair<std::string, std::string> FreeSpace::collision(const Eigen::VectorXd& 
   if (!others.first.empty()) return others;
   update_poses(q);
   for (const int link : object_.links()) {
-    if (!object_.check(link, X_WL_[at(link)], 0).touches) continue;
-    return {robot_.frame_names()[at(link)], object_name_};
+    if (!object_.check(link, X_WL_[link], 0).touches) continue;
+    return {robot_.frame_names()[link], object_name_};
   }
   return {};
 }

@@ -30,7 +30,7 @@ class GRASPLESS_API FreeSpace {
   /// `resolution` [rad or m] in any joint. Parts that bounds on the motion prove free are not
   /// sampled.
   bool is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution);
-  /// Names of the first colliding pair at q, by FCL; empty if free.
+  /// Names of the first colliding pair at q; empty if free.
   std::pair<std::string, std::string> collision(const Eigen::VectorXd& q);
 
   std::int64_t num_checks() const { return checks_; }  ///< configurations checked
@@ -53,8 +53,6 @@ class GRASPLESS_API FreeSpace {
                     std::size_t begin);
   bool check_middle(const Eigen::VectorXd& q, int steps_before, int steps_after, std::size_t begin);
   void push_half(std::size_t begin, std::size_t end, bool second, int steps);
-
-  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
   robot::Robot robot_;
   std::string object_name_;

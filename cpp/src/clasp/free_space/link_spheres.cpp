@@ -70,8 +70,7 @@ SphereTree sphere_tree(const std::vector<CoveredShape>& shapes) {
 std::vector<SphereTree> link_spheres(const robot::Robot& robot) {
   std::vector<std::vector<CoveredShape>> shapes(robot.frame_names().size());
   for (const robot::LinkShape& shape : robot.shapes()) {
-    shapes[static_cast<std::size_t>(shape.link)].push_back(
-        covered(shape.placed, MeshInside::hollow));
+    shapes[shape.link].push_back(covered(shape.placed, MeshInside::hollow));
   }
   std::vector<SphereTree> trees;
   for (const auto& of_link : shapes) trees.push_back(sphere_tree(of_link));

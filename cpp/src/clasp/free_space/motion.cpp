@@ -31,7 +31,7 @@ bool FreeSpace::find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::Vec
   for (const int link : links_) {
     const double motion = robot_.reach(link).dot(step);
     // Half of the clearance needed. The other end provides the other half, or makes up for it.
-    const auto found = object_.check(link, X_WL_[at(link)], (motion * steps + kMargin) / 2);
+    const auto found = object_.check(link, X_WL_[link], (motion * steps + kMargin) / 2);
     if (found.touches) return false;
     uncertain_.push_back({link, motion, 0, found.clearance});
   }
@@ -39,7 +39,7 @@ bool FreeSpace::find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::Vec
   std::size_t kept = 0;
   for (UncertainLink uncertain : uncertain_) {
     const double needed = uncertain.motion * steps + kMargin - uncertain.clear_last;
-    const auto found = object_.check(uncertain.link, X_WL_[at(uncertain.link)], needed);
+    const auto found = object_.check(uncertain.link, X_WL_[uncertain.link], needed);
     if (found.touches) return false;
     uncertain.clear_first = found.clearance;
     if (found.clearance < needed) uncertain_[kept++] = uncertain;
@@ -70,8 +70,7 @@ bool FreeSpace::check_middle(const Eigen::VectorXd& q, int steps_before, int ste
     UncertainLink& uncertain = uncertain_[i];
     const double needed = std::max({0.0, uncertain.motion * steps_before - uncertain.clear_first,
                                     uncertain.motion * steps_after - uncertain.clear_last});
-    const auto found =
-        object_.check(uncertain.link, X_WL_[at(uncertain.link)], needed + 2 * kMargin);
+    const auto found = object_.check(uncertain.link, X_WL_[uncertain.link], needed + 2 * kMargin);
     if (found.touches) return false;
     uncertain.clear_middle = found.clearance;
   }

@@ -13,7 +13,7 @@ constexpr double kContactMargin = 2e-6;
 std::vector<std::vector<geometry::PlacedShape>> shapes_of_links(const robot::Robot& robot) {
   std::vector<std::vector<geometry::PlacedShape>> shapes(robot.frame_names().size());
   for (const robot::LinkShape& shape : robot.shapes()) {
-    shapes[static_cast<std::size_t>(shape.link)].push_back(shape.placed);
+    shapes[shape.link].push_back(shape.placed);
   }
   return shapes;
 }
@@ -25,7 +25,7 @@ double distance_by_spheres(const SphereTree& tree, const Eigen::Isometry3d& X_OL
   const int count = static_cast<int>(tree.size());
   double least = enough + kContactMargin;
   for (int i = 0; i < count;) {
-    const LinkSphere& node = tree[static_cast<std::size_t>(i)];
+    const LinkSphere& node = tree[i];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
     const auto distance = is_leaf ? clearance.bounds(p_O, node.outer + kContactMargin)
@@ -50,8 +50,7 @@ ObjectCollision::ObjectCollision(const Problem& problem)
     body_.push_back(-1);
     pair_.push_back(-1);
     if (shapes.empty()) continue;
-    body_.back() =
-        world_.add_body("link " + robot.frame_names()[static_cast<std::size_t>(link)], shapes);
+    body_.back() = world_.add_body("link " + robot.frame_names()[link], shapes);
     pair_.back() = world_.num_pairs();
     world_.add_pair(body_.back(), object);
     links_.push_back(link);
@@ -68,12 +67,12 @@ bool ObjectCollision::touches_by_fcl(int link, const Eigen::Isometry3d& X_WL) {
 
 ObjectCollision::Result ObjectCollision::check(int link, const Eigen::Isometry3d& X_WL,
                                                double enough) {
-  const SphereTree& tree = spheres_[static_cast<std::size_t>(link)];
+  const SphereTree& tree = spheres_[link];
   const Eigen::Isometry3d X_OL = X_OW_ * X_WL;
   const int count = static_cast<int>(tree.size());
   double least = std::max(enough, 2 * kContactMargin);
   for (int i = 0; i < count;) {
-    const LinkSphere& node = tree[static_cast<std::size_t>(i)];
+    const LinkSphere& node = tree[i];
     const bool is_leaf = node.next == i + 1;
     const Eigen::Vector3d p_O = X_OL * node.p_L;
     const auto distance = is_leaf ? clearance_.bounds(p_O, node.outer + kContactMargin)

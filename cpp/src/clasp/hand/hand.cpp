@@ -45,8 +45,7 @@ void check_groups(const Hand& hand, const robot::Robot& robot) {
   for (const int joint : joints("hand.hand", hand.hand, robot)) {
     if (std::find(arm.begin(), arm.end(), joint) == arm.end()) continue;
     throw std::invalid_argument("hand.arm '" + hand.arm + "' and hand.hand '" + hand.hand +
-                                "' share the joint '" +
-                                robot.joint_names()[static_cast<std::size_t>(joint)] + "'");
+                                "' share the joint '" + robot.joint_names()[joint] + "'");
   }
 }
 

@@ -35,12 +35,12 @@ HandKinematics::HandKinematics(const robot::Robot& robot, const Hand& hand)
 std::vector<int> HandKinematics::movers_of(int link) {
   const robot::Robot::Model& model = robot_.model();
   std::vector<int> movers;
-  for (const int moved : model.movers[static_cast<std::size_t>(link)]) {
+  for (const int moved : model.movers[link]) {
     const auto is_it = [moved](const Mover& mover) { return mover.link == moved; };
     const auto known = std::find_if(movers_.begin(), movers_.end(), is_it);
     movers.push_back(static_cast<int>(known - movers_.begin()));
     if (known != movers_.end()) continue;
-    const robot::Link& joint = model.links[static_cast<std::size_t>(moved)];
+    const robot::Link& joint = model.links[moved];
     movers_.push_back({moved, joint.joint, joint.prismatic, joint.multiplier * joint.axis_L,
                        Vector3d::Zero(), Vector3d::Zero()});
   }
@@ -65,13 +65,13 @@ std::vector<int> HandKinematics::add_finger(const Finger& finger) {
 void HandKinematics::update(const Eigen::VectorXd& q) {
   robot_.forward(q, X_WL_);
   for (Mover& mover : movers_) {
-    const Eigen::Isometry3d& X_WL = X_WL_[static_cast<std::size_t>(mover.link)];
+    const Eigen::Isometry3d& X_WL = X_WL_[mover.link];
     mover.axis_W = X_WL.linear() * mover.axis_L;
     mover.p_W = X_WL.translation();
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
-    p_WN_.col(static_cast<Eigen::Index>(i)) = X_WL_[static_cast<std::size_t>(node.link)] * node.p_L;
+    p_WN_.col(i) = X_WL_[node.link] * node.p_L;
   }
 }
 
@@ -79,18 +79,14 @@ Eigen::Matrix3Xd HandKinematics::curve_points(int i) const {
   const std::vector<int>& corners = curve(i);
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(corners.size()));
   for (Eigen::Index k = 0; k < points.cols(); ++k) {
-    points.col(k) = p_WN_.col(corners[static_cast<std::size_t>(k)]);
+    points.col(k) = p_WN_.col(corners[k]);
   }
   return points;
 }
 
-Vector3d HandKinematics::forward_W() const {
-  return X_WL_[static_cast<std::size_t>(hand_frame_)].linear() * forward_H_;
-}
+Vector3d HandKinematics::forward_W() const { return X_WL_[hand_frame_].linear() * forward_H_; }
 
-Vector3d HandKinematics::sideways_W() const {
-  return X_WL_[static_cast<std::size_t>(hand_frame_)].linear() * sideways_H_;
-}
+Vector3d HandKinematics::sideways_W() const { return X_WL_[hand_frame_].linear() * sideways_H_; }
 
 double HandKinematics::longest_curve() const {
   double longest = 0;
@@ -108,8 +104,8 @@ Vector3d HandKinematics::center_W() const {
 
 void HandKinematics::add_row(int n, const Vector3d& direction, Row row) const {
   const Vector3d p_W = p_WN_.col(n);
-  for (const int m : nodes_[static_cast<std::size_t>(n)].movers) {
-    const Mover& mover = movers_[static_cast<std::size_t>(m)];
+  for (const int m : nodes_[n].movers) {
+    const Mover& mover = movers_[m];
     const Vector3d lever =
         mover.is_prismatic ? direction : Vector3d((p_W - mover.p_W).cross(direction));
     row[mover.joint] += mover.axis_W.dot(lever);
@@ -118,7 +114,7 @@ void HandKinematics::add_row(int n, const Vector3d& direction, Row row) const {
 
 void HandKinematics::add_rotation_row(const Vector3d& axis, Row row) const {
   for (const int m : hand_movers_) {
-    const Mover& mover = movers_[static_cast<std::size_t>(m)];
+    const Mover& mover = movers_[m];
     if (!mover.is_prismatic) row[mover.joint] += mover.axis_W.dot(axis);
   }
 }

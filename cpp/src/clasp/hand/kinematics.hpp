@@ -27,7 +27,7 @@ class GRASPLESS_API HandKinematics {
   const Eigen::Matrix3Xd& nodes() const { return p_WN_; }
   int num_curves() const { return static_cast<int>(curves_.size()); }
   /// Curve i as indices into nodes(): from the tip of finger i to the tip of the thumb.
-  const std::vector<int>& curve(int i) const { return curves_[static_cast<std::size_t>(i)]; }
+  const std::vector<int>& curve(int i) const { return curves_[i]; }
   Eigen::Matrix3Xd curve_points(int i) const;
   double longest_curve() const;        ///< its length [m]
   Eigen::Vector3d center_W() const;    ///< middle of the box around the nodes

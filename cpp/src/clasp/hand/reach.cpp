@@ -22,8 +22,8 @@ double arm_length(const robot::Robot& robot, const Hand& hand, const std::vector
     robot.forward(q, X_WL);
     Eigen::Vector3d last_W = base_W;
     for (std::size_t i = 0; i < links.size(); ++i) {
-      const Eigen::Vector3d p_W = X_WL[static_cast<std::size_t>(links[i])].translation();
-      double& most = longest[static_cast<Eigen::Index>(i)];
+      const Eigen::Vector3d p_W = X_WL[links[i]].translation();
+      double& most = longest[i];
       most = std::max(most, (p_W - last_W).norm());
       last_W = p_W;
     }
@@ -45,8 +45,7 @@ double hand_size(const robot::Robot& robot, const Hand& hand) {
   states.insert(states.end(), {hand.open, hand.closed});
   for (const std::string& state : states) {
     kinematics.update(robot.state(state));
-    const Eigen::Vector3d p_WH =
-        kinematics.poses()[static_cast<std::size_t>(robot.frame(hand.frame))].translation();
+    const Eigen::Vector3d p_WH = kinematics.poses()[robot.frame(hand.frame)].translation();
     farthest =
         std::max(farthest, (kinematics.nodes().colwise() - p_WH).colwise().norm().maxCoeff());
   }

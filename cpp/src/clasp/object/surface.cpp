@@ -23,7 +23,7 @@ std::uint64_t edge_key(int low, int high) {
 /// Indices of the edges that bound no triangle.
 std::vector<int> bare_edges(const geometry::Complex& complex) {
   std::unordered_set<std::uint64_t> bounding;
-  bounding.reserve(static_cast<std::size_t>(3 * complex.triangles.cols()));
+  bounding.reserve(3 * complex.triangles.cols());
   for (Eigen::Index i = 0; i < complex.triangles.cols(); ++i) {
     poll();
     const auto corners = complex.triangles.col(i);  // ascending
@@ -49,8 +49,8 @@ Eigen::Vector3d beside(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 /// Indices of the points without an edge.
 std::vector<int> lone_points(const geometry::Complex& complex) {
-  std::vector<bool> ends(static_cast<std::size_t>(complex.points.cols()), false);
-  for (const int point : complex.edges.reshaped()) ends[static_cast<std::size_t>(point)] = true;
+  std::vector<bool> ends(complex.points.cols(), false);
+  for (const int point : complex.edges.reshaped()) ends[point] = true;
   std::vector<int> lone;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (!ends[i]) lone.push_back(static_cast<int>(i));
@@ -63,7 +63,7 @@ class TriangleTable {
  public:
   explicit TriangleTable(const geometry::Complex& complex) : points_(complex.points) {
     const auto& triangles = complex.triangles;
-    apexes_.reserve(static_cast<std::size_t>(2 * triangles.cols()));
+    apexes_.reserve(2 * triangles.cols());
     for (Eigen::Index i = 0; i < triangles.cols(); ++i) {
       poll();
       const auto corners = triangles.col(i);  // ascending

@@ -36,7 +36,7 @@ class ClaspSearch {
   /// True if every finger curve is linked enough at q for the hand to close, or with a closed hand.
   bool is_linked(const Eigen::VectorXd& q);
   bool is_clasped(const Eigen::VectorXd& q);
-  /// Target held by the hand at q: the nearest one, if closer than half the longest finger curve,
+  /// Target held by the hand at q: the nearest one, if closer than 0.4 of the longest finger curve,
   /// else null.
   const geometry::ClaspTarget* held_target_W(const Eigen::VectorXd& q);
 

@@ -51,7 +51,7 @@ Radius largest_ball(const Object& object, int loop, double enough, const GoesOn&
     const double size = std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()});
     parts.push({{a, b, c}, here + size});  // the distance is 1-Lipschitz
   };
-  const Eigen::Matrix3Xd& p = object.loops().found[static_cast<std::size_t>(loop)].points;
+  const Eigen::Matrix3Xd& p = object.loops().found[loop].points;
   const Vector3d apex = p.rowwise().mean();
   for (Eigen::Index i = 0; i < p.cols(); ++i) add(apex, p.col(i), p.col((i + 1) % p.cols()));
   while (parts.top().most > widest + kPrecision && 2 * widest < enough && goes_on()) {
@@ -109,7 +109,7 @@ double needed_width(const robot::Robot& robot, const Hand& hand) {
 
 std::string describe_sizes(const Problem& problem, int loop) {
   const double needed = needed_width(problem.robot, problem.hand);
-  const double handle = problem.object.loops().found[static_cast<std::size_t>(loop)].thickness;
+  const double handle = problem.object.loops().found[loop].thickness;
   std::string text = "loop " + std::to_string(loop) + ": its hole is ";
   text += width_in_words(problem.object, loop);
   if (handle > 0) text += ", its handle " + millimetres(handle) + " mm thick";

@@ -170,7 +170,7 @@ void LoopSearch::tighten(planning::Path& path) {
 }
 
 const geometry::ClaspTarget& LoopSearch::reached_W() const {
-  return task_.targets_W[static_cast<std::size_t>(planner_->reached_target())];
+  return task_.targets_W[planner_->reached_target()];
 }
 
 Effort LoopSearch::effort() const {
@@ -184,12 +184,12 @@ Tree LoopSearch::tree() const {
   tree.p_W.resize(3, static_cast<Eigen::Index>(n));
   for (std::size_t i = 0; i < n; ++i) {
     const auto node = planner_->node(i);
-    tree.p_W.col(static_cast<Eigen::Index>(i)) = node.x.head<3>();
+    tree.p_W.col(i) = node.x.head<3>();
     tree.parents.push_back(node.parent);
   }
   tree.path = {planner_->reached_node()};
   while (tree.path.back() != 0) {
-    tree.path.push_back(tree.parents[static_cast<std::size_t>(tree.path.back())]);
+    tree.path.push_back(tree.parents[tree.path.back()]);
   }
   std::reverse(tree.path.begin(), tree.path.end());
   return tree;

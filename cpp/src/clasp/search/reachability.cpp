@@ -65,7 +65,7 @@ std::vector<Isometry3d> palm_poses(const Problem& problem, const VectorXd& q) {
   std::vector<Isometry3d> poses;
   for (std::size_t i = 0; i < loops.size() && poses.size() < 2 * kTargets * kAngles; ++i) {
     poll();
-    const auto& loop = problem.object.loops().found[static_cast<std::size_t>(loops[i])];
+    const auto& loop = problem.object.loops().found[loops[i]];
     for (const geometry::ClaspTarget& target : geometry::clasp_targets(loop.points, count)) {
       const geometry::ClaspTarget target_W{problem.X_WO * target.point,
                                            problem.X_WO.linear() * target.tangent};

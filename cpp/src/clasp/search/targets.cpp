@@ -131,7 +131,7 @@ std::vector<std::vector<ClaspTarget>> all_targets_O(const Problem& problem,
                                                     const std::vector<Options>& options) {
   std::vector<std::vector<ClaspTarget>> targets(loops.size());
   const auto points = [&](std::size_t i) -> const Eigen::Matrix3Xd& {
-    return problem.object.loops().found[static_cast<std::size_t>(loops[i])].points;
+    return problem.object.loops().found[loops[i]].points;
   };
   for (std::size_t i = 0; problem.marks.empty() && i < loops.size(); ++i) {
     targets[i] = geometry::clasp_targets(points(i), options[i].targets);
@@ -163,9 +163,7 @@ std::vector<int> without_thick(Query& query, std::vector<int> loops, Plan& plan)
   const Problem& problem = query.problem;
   if (problem.hand.fingers.size() > 1) return loops;
   const double open = opening(problem.robot, problem.hand);
-  const auto width = [&](int loop) {
-    return problem.object.loops().found[static_cast<std::size_t>(loop)].width;
-  };
+  const auto width = [&](int loop) { return problem.object.loops().found[loop].width; };
   const auto thinnest = std::min_element(loops.begin(), loops.end(),
                                          [&](int a, int b) { return width(a) < width(b); });
   if (width(*thinnest) >= open) {
@@ -193,7 +191,7 @@ std::vector<int> without_narrow(Query& query, std::vector<int> loops, Plan& plan
   double most = 0;
   const auto is_narrow = [&](int loop) {
     // A ball as wide as the edges that fill the hole passes it.
-    if (problem.object.loops().found[static_cast<std::size_t>(loop)].death >= needed) return false;
+    if (problem.object.loops().found[loop].death >= needed) return false;
     const double width = hole_width(problem.object, loop, needed);
     if (width >= needed) return false;
     query.refuse("target: hole too narrow");
@@ -238,7 +236,7 @@ int marked_loop(const Problem& problem, const Eigen::Vector3d& mark) {
   double least = std::numeric_limits<double>::infinity();
   for (const int loop : allowed_loops(problem)) {
     poll();
-    const auto& points = problem.object.loops().found[static_cast<std::size_t>(loop)].points;
+    const auto& points = problem.object.loops().found[loop].points;
     const double distance = geometry::distance_to_loop(points, mark);
     if (distance < least) marked = loop;
     least = std::min(least, distance);
@@ -259,7 +257,7 @@ std::vector<LoopTask> choose_targets(Query& query, const Eigen::VectorXd& q, Pla
   TargetRater rater(problem, q);
   std::vector<std::pair<RatedTarget, LoopTask>> choice;  // each with its best target
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const auto& loop = problem.object.loops().found[static_cast<std::size_t>(loops[i])];
+    const auto& loop = problem.object.loops().found[loops[i]];
     LoopTask task{loops[i], options[i], problem.X_WO * loop.points, {}};
     const auto rated =
         rate(query, rater, task.points_W, loop.thickness, in_world(problem.X_WO, targets_O[i]));

@@ -24,9 +24,9 @@ TaskSpace::TaskSpace(const robot::Robot& robot, const Hand& hand, const Eigen::M
                      std::vector<geometry::ClaspTarget> targets_W)
     : kinematics_(robot, hand), loop_W_(p_WLoop), targets_W_(std::move(targets_W)) {
   if (targets_W_.empty()) throw std::invalid_argument("targets must not be empty");
-  curves_.resize(static_cast<std::size_t>(kinematics_.num_curves()));
+  curves_.resize(kinematics_.num_curves());
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
-    curves_[static_cast<std::size_t>(i)].points = kinematics_.curve_points(i);
+    curves_[i].points = kinematics_.curve_points(i);
   }
   linking_.setZero(kinematics_.num_curves());
   project(robot.clamp(Eigen::VectorXd::Zero(robot.dof())));
@@ -39,7 +39,7 @@ const TaskPoint& TaskSpace::project(const Eigen::VectorXd& q) {
   find_center();
   find_target();
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
-    Curve& curve = curves_[static_cast<std::size_t>(i)];
+    Curve& curve = curves_[i];
     link(curve, kinematics_.curve(i));
     linking_[i] = std::min(1.0, std::abs(curve.linking_number) * curve.closedness);
   }
@@ -73,14 +73,14 @@ void TaskSpace::find_target() {
   distance_ = std::sqrt(least);
   towards_.setZero();
   if (distance_ < kOnTarget) return;
-  towards_ = (targets_W_[static_cast<std::size_t>(nearest_)].point - center) / distance_;
+  towards_ = (targets_W_[nearest_].point - center) / distance_;
 }
 
 /// Eq. (2), with Lk as an integer.
 void TaskSpace::link(Curve& curve, const std::vector<int>& corners) {
   const Eigen::Matrix3Xd& p_WN = kinematics_.nodes();
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    curve.points.col(static_cast<Eigen::Index>(k)) = p_WN.col(corners[k]);
+    curve.points.col(k) = p_WN.col(corners[k]);
   }
   curve.linking_number = loop_W_.linking_number(curve.points);
   if (curve.linking_number != 0) {
@@ -89,7 +89,7 @@ void TaskSpace::link(Curve& curve, const std::vector<int>& corners) {
 }
 
 Vector2d TaskSpace::alignment() const {
-  const Vector3d& tangent = targets_W_[static_cast<std::size_t>(nearest_)].tangent;
+  const Vector3d& tangent = targets_W_[nearest_].tangent;
   const double forward = distance_ < kOnTarget ? 1 : kinematics_.forward_W().dot(towards_);
   return {std::abs(kinematics_.sideways_W().dot(tangent)), forward};  // (3)
 }
@@ -109,7 +109,7 @@ void TaskSpace::position_jacobian(Matrix& J) const {
 
 void TaskSpace::alignment_jacobian(Matrix& J) const {
   J.setZero(2, q_.size());
-  const Vector3d& tangent = targets_W_[static_cast<std::size_t>(nearest_)].tangent;
+  const Vector3d& tangent = targets_W_[nearest_].tangent;
   const Vector3d sideways = kinematics_.sideways_W(), forward = kinematics_.forward_W();
   const double sign = sideways.dot(tangent) < 0 ? -1 : 1;
   kinematics_.add_rotation_row(sign * sideways.cross(tangent), J.row(0));
@@ -127,12 +127,12 @@ void TaskSpace::alignment_jacobian(Matrix& J) const {
 void TaskSpace::linking_jacobian(Matrix& J) const {
   J.setZero(kinematics_.num_curves(), q_.size());
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
-    const Curve& curve = curves_[static_cast<std::size_t>(i)];
+    const Curve& curve = curves_[i];
     const double factor = std::abs(curve.linking_number);
     if (factor == 0 || factor * curve.closedness >= 1) continue;
     const std::vector<int>& corners = kinematics_.curve(i);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Vector3d gradient = factor * curve.gradient.col(static_cast<Eigen::Index>(k));
+      const Vector3d gradient = factor * curve.gradient.col(k);
       kinematics_.add_row(corners[k], gradient, J.row(i));
     }
   }
@@ -141,7 +141,7 @@ void TaskSpace::linking_jacobian(Matrix& J) const {
 /// The field of the loop has no curl, so the integral changes with the curve's ends only.
 void TaskSpace::attract(Eigen::VectorXd& u, Matrix& J) const {
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
-    const Curve& curve = curves_[static_cast<std::size_t>(i)];
+    const Curve& curve = curves_[i];
     if (curve.linking_number != 0) continue;
     const double integral = loop_W_.gauss_linking(curve.points, false);
     const double sign = integral < 0 ? -1 : 1;

@@ -109,7 +109,7 @@ bool ThreadSearch::sample() {
 
 Vector3d ThreadSearch::in_palm(const CurveNode& node) const {
   const auto link = static_cast<std::size_t>(query_.problem.robot.frame(node.link));
-  return X_WL_[static_cast<std::size_t>(palm_)].inverse() * (X_WL_[link] * node.p_L);
+  return X_WL_[palm_].inverse() * (X_WL_[link] * node.p_L);
 }
 
 /// Draws a pose of the palm in which a point of the digit is near the hole's centre.

@@ -79,7 +79,7 @@ void group_neighbours(const Eigen::Matrix3Xd& points, std::vector<int>& order, E
 }
 
 std::vector<BallGroup> sort_into_groups(Eigen::Matrix3Xd& centers, Eigen::VectorXd& radii) {
-  std::vector<int> order(static_cast<std::size_t>(radii.size()));
+  std::vector<int> order(radii.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<BallGroup> groups;
   group_neighbours(centers, order, 0, radii.size(), kMostInGroup, groups);
@@ -104,16 +104,16 @@ LinkBalls::LinkBalls(const robot::Robot& robot, MeshInside inside) {
   p_L_.resize(3, static_cast<Eigen::Index>(all.size()));
   radii_.resize(p_L_.cols());
   for (Eigen::Index i = 0; i < p_L_.cols(); ++i) {
-    p_L_.col(i) = all[static_cast<std::size_t>(i)].p_L;
-    radii_[i] = all[static_cast<std::size_t>(i)].inner;
+    p_L_.col(i) = all[i].p_L;
+    radii_[i] = all[i].inner;
   }
 }
 
 Eigen::Matrix3Xd LinkBalls::centers_W(const robot::Poses& X_WL) const {
   Eigen::Matrix3Xd centers(3, p_L_.cols());
   for (Eigen::Index i = 0; i < p_L_.cols(); ++i) {
-    const int link = links_[static_cast<std::size_t>(i)];
-    centers.col(i) = X_WL[static_cast<std::size_t>(link)] * Eigen::Vector3d(p_L_.col(i));
+    const int link = links_[i];
+    centers.col(i) = X_WL[link] * Eigen::Vector3d(p_L_.col(i));
   }
   return centers;
 }

@@ -79,8 +79,7 @@ Eigen::Vector3d gradient(const Distance& distance, const Eigen::Vector3d& p_L, d
 }
 
 Gap::Gap(const std::vector<Body>& bodies, const robot::Poses& X_WL) : bodies_(bodies) {
-  for (const Body& body : bodies)
-    X_LW_.push_back(X_WL[static_cast<std::size_t>(body.link)].inverse());
+  for (const Body& body : bodies) X_LW_.push_back(X_WL[body.link].inverse());
 }
 
 double Gap::at(const Eigen::Vector3d& p_W, double limit) const {

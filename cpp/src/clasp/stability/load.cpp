@@ -93,7 +93,7 @@ LoadTester::LoadTester(const Problem& problem)
   limits_.resize(count);
   units_.resize(count);
   for (Eigen::Index j = 0; j < count; ++j) {
-    const int joint = joints_[static_cast<std::size_t>(j)];
+    const int joint = joints_[j];
     const bool slides = robot.step_weights()[joint] > 1;
     units_[j] = slides ? 1 : kMetre;
     limits_[j] = robot.max_effort()[joint] * units_[j];
@@ -110,7 +110,7 @@ Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
   hand.twists.assign(hand.X_WL.size(), mechanics::Matrix6Xd(6, directions_.size()));
   VectorXd ways = directions_;  // 0 where a joint is at its stop
   for (Eigen::Index j = 0; j < ways.size(); ++j) {
-    const int joint = joints_[static_cast<std::size_t>(j)];
+    const int joint = joints_[j];
     const double stop = (ways[j] > 0 ? problem_.robot.upper() : problem_.robot.lower())[joint];
     if (ways[j] * (stop - q[joint]) <= 0) ways[j] = 0;
   }
@@ -118,7 +118,7 @@ Posture LoadTester::posture(const VectorXd& q, const Vector3d& center_W) const {
   for (std::size_t link = 0; link < hand.X_WL.size(); ++link) {
     problem_.robot.jacobian(static_cast<int>(link), hand.X_WL, J);
     for (Eigen::Index j = 0; j < directions_.size(); ++j) {
-      const Vector6d velocity = ways[j] * units_[j] * J.col(joints_[static_cast<std::size_t>(j)]);
+      const Vector6d velocity = ways[j] * units_[j] * J.col(joints_[j]);
       const Vector3d spin = velocity.tail<3>();
       hand.twists[link].col(j) << velocity.head<3>() - spin.cross(hand.X_WL[link].translation()),
           spin;
@@ -133,7 +133,7 @@ NearPoints LoadTester::near_points(const Posture& hand, double reach,
   const geometry::Mesh& surface = problem_.object.surface();
   const Eigen::Matrix3Xd p_W = X_WO * surface.vertices;
   const auto in_link = [&](const Vector3d& p, const Body& body) -> Vector3d {
-    return hand.X_LW[static_cast<std::size_t>(body.link)] * p;
+    return hand.X_LW[body.link] * p;
   };
   struct Nearest {
     Vector3d p_W;
@@ -209,8 +209,7 @@ LoadTester::Pressed LoadTester::press(const Vector6d& load, Measured& known, con
       next = stepper.step(wrench, contacts);
     }
     if (next.effort > pressed.most.effort)
-      pressed.most = {next.effort,
-                      next.yields < 0 ? -1 : joints_[static_cast<std::size_t>(next.yields)]};
+      pressed.most = {next.effort, next.yields < 0 ? -1 : joints_[next.yields]};
     moved = motion_of(next.move, hand.center_W) * moved;
     pressed.is_free = pressed.is_free && next.is_free;
     pressed.is_at_rest = next.move.lpNorm<Eigen::Infinity>() < kAtRest;
@@ -241,13 +240,12 @@ LoadEffort LoadTester::effort(const VectorXd& q, const Vector3d& center_W, doubl
   const auto palm = static_cast<std::size_t>(problem_.robot.frame(problem_.hand.frame));
   const auto loads = loads_W(hand.X_WL[palm].linear(), force, torque);
   Spares<Measured> measured([&] { return std::make_unique<Measured>(near, bodies_, hand); });
-  std::vector<LoadEffort> found(static_cast<std::size_t>(loads.cols()));
+  std::vector<LoadEffort> found(loads.cols());
   std::atomic<std::size_t> last{found.size()};  // a load that asks for more than enough
   const auto test = [&](std::size_t i) {
     if (i > last) return;
-    found[i] = measured.lend([&](Measured& known) {
-      return effort_of(loads.col(static_cast<Eigen::Index>(i)), known, hand, reach);
-    });
+    found[i] =
+        measured.lend([&](Measured& known) { return effort_of(loads.col(i), known, hand, reach); });
     found[i].effort *= kSudden;
     if (!(found[i].effort > enough)) return;
     for (std::size_t before = last; i < before && !last.compare_exchange_weak(before, i);) {
@@ -277,7 +275,7 @@ void require_efforts(const Problem& problem, const StabilityOptions& options) {
   const std::optional<int> joint = missing_effort(problem, options);
   if (!joint) return;
   throw std::invalid_argument(
-      "robot: joint '" + problem.robot.joint_names()[static_cast<std::size_t>(*joint)] +
+      "robot: joint '" + problem.robot.joint_names()[*joint] +
       "' of the hand has no effort limit above 0 in the URDF, so the force of its fingers is "
       "unknown; give it one, or set options.stability.force and options.stability.torque to 0");
 }

@@ -56,9 +56,9 @@ NearPoints::NearPoints(Eigen::Matrix3Xd points_W, const std::vector<Range>& rang
       block.first.at_W.rowwise() = group.middle.transpose().array();
       block.first.distance.setConstant(std::numeric_limits<double>::infinity());
       for (Eigen::Index i = 0; i < block.size; ++i) {
-        const Eigen::Index point = order[static_cast<std::size_t>(group.begin + i)];
-        block.points[static_cast<std::size_t>(i)] = point;
-        places[static_cast<std::size_t>(point)] = {blocks.size(), i};
+        const Eigen::Index point = order[group.begin + i];
+        block.points[i] = point;
+        places[point] = {blocks.size(), i};
         block.first.at_W.row(i) = p_W.col(point).transpose();
         block.first.distance[i] = distance[point];
         block.radius = std::max(block.radius, (p_W.col(point) - group.middle).norm());
@@ -78,7 +78,7 @@ PosedContacts::PosedContacts(NearPoints& points, const Eigen::Isometry3d& moved,
       moved_(moved),
       posed_(points.blocks.size(), -1) {
   for (const Body& body : bodies) {
-    const Eigen::Isometry3d& X_WL = hand.X_WL[static_cast<std::size_t>(body.link)];
+    const Eigen::Isometry3d& X_WL = hand.X_WL[body.link];
     axes_W_.push_back(body.axis_L);
     if (!body.axis_L) continue;
     axes_W_.back()->from = X_WL * body.axis_L->from;
@@ -112,7 +112,7 @@ PosedContacts::Middle PosedContacts::middle_of(const NearPoints::Block& block) c
 /// Places the points of a block, with bounds on their gaps.
 PosedContacts::Posed& PosedContacts::posed(std::size_t index) {
   int& number = posed_[index];
-  if (number >= 0) return poses_[static_cast<std::size_t>(number)];
+  if (number >= 0) return poses_[number];
   number = static_cast<int>(poses_.size());
   Posed& posed = poses_.emplace_back();
   NearPoints::Block& block = points_.blocks[index];
@@ -166,10 +166,10 @@ void PosedContacts::keep_bounds(std::size_t index, const Posed& posed) {
 
 /// Replaces the bound on a gap by the gap.
 void PosedContacts::measure(NearPoints::Block& block, Posed& posed, Eigen::Index i) {
-  if (std::exchange(posed.is_measured[static_cast<std::size_t>(i)], true)) return;
+  if (std::exchange(posed.is_measured[i], true)) return;
   const Body& body = bodies_[block.body];
   const Vector3d p_W = posed.p_W.row(i);
-  const Vector3d p_L = hand_.X_LW[static_cast<std::size_t>(body.link)] * p_W;
+  const Vector3d p_L = hand_.X_LW[body.link] * p_W;
   const double distance = std::min(body.distance(p_L, kReach), kReach);
   posed.distance[i] = block.last.distance[i] = distance;
   block.last.at_W.row(i) = p_W;
@@ -180,7 +180,7 @@ void PosedContacts::measure(NearPoints::Block& block, Posed& posed, Eigen::Index
 /// Contact of a point that was measured and is near enough.
 const LoadContact* PosedContacts::contact(const NearPoints::Block& block, const Posed& posed,
                                           Eigen::Index i) {
-  const Eigen::Index point = block.points[static_cast<std::size_t>(i)];
+  const Eigen::Index point = block.points[i];
   const auto [found, is_new] = contacts_.try_emplace(point);
   LoadContact& contact = found->second;
   if (!is_new) return &contact;
@@ -199,7 +199,7 @@ const LoadContact* PosedContacts::contact(const NearPoints::Block& block, const 
 }
 
 const LoadContact* PosedContacts::at(Eigen::Index point) {
-  const auto [index, i] = points_.places[static_cast<std::size_t>(point)];
+  const auto [index, i] = points_.places[point];
   NearPoints::Block& block = points_.blocks[index];
   Posed& placed = posed(index);
   measure(block, placed, i);
@@ -242,7 +242,7 @@ void PosedContacts::find(std::size_t index, const Motion& motion,
   bool is_changed = false;
   for (Eigen::Index i = 0; i < block.size; ++i) {
     if (approach[i] <= placed.gap[i] - kRounding) continue;
-    is_changed = is_changed || !placed.is_measured[static_cast<std::size_t>(i)];
+    is_changed = is_changed || !placed.is_measured[i];
     measure(block, placed, i);
     if (approach[i] > placed.gap[i] - kRounding &&
         may_pass(body, placed, i, motion * Vector3d(p_W.row(i))))
@@ -258,7 +258,7 @@ std::vector<const LoadContact*> PosedContacts::near(const Vector6d& move, const 
   std::vector<Motion> motions;  // relative to each body; w in [mm/m]
   std::vector<double> spins;
   for (const Body& body : bodies_) {
-    const Vector6d twist = hand_.twists[static_cast<std::size_t>(body.link)] * yield;
+    const Vector6d twist = hand_.twists[body.link] * yield;
     motions.push_back(
         {move.head<3>() - twist.head<3>() - turn.cross(hand_.center_W), turn - twist.tail<3>()});
     spins.push_back(motions.back().w.norm());

@@ -90,7 +90,7 @@ double opening(const robot::Robot& robot, const Hand& hand) {
   const Vector3d from = node_position(robot, tip, open), to = node_position(robot, thumb, open);
   std::vector<std::pair<Eigen::Isometry3d, CoveredShape>> shapes;
   for (const robot::LinkShape& shape : robot.shapes()) {
-    const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
+    const std::string& link = robot.frame_names()[shape.link];
     if (link != tip.link && link != thumb.link) continue;
     shapes.emplace_back(robot.pose(shape.link, open).inverse(),
                         covered(shape.placed, MeshInside::hull));

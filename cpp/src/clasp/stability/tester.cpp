@@ -54,8 +54,7 @@ void StabilityTester::load(const Eigen::VectorXd& q, const Eigen::Vector3d& p_WC
   const LoadEffort most = loads().effort(q, p_WC, reach, options.force, options.torque,
                                          options.force / enough, &crew(options.threads));
   result.withstands = std::min(options.force / most.effort, mechanics::kMaxForce);
-  if (most.joint >= 0)
-    result.opens_first = problem_.robot.joint_names()[static_cast<std::size_t>(most.joint)];
+  if (most.joint >= 0) result.opens_first = problem_.robot.joint_names()[most.joint];
 }
 
 Stability StabilityTester::test(const Eigen::VectorXd& q, const Eigen::Matrix3Xd& loop_O,

@@ -64,7 +64,7 @@ bool ObjectWalk::hits(Eigen::Index ball, const Eigen::Vector3d& p_O) {
 template <typename Travel>
 bool ObjectWalk::group_hits(int index, const Pose& pose, Travel travel, int step, int max_steps) {
   constexpr double kFar = 4;  // steps
-  Group& group = groups_[static_cast<std::size_t>(index)];
+  Group& group = groups_[index];
   const int item = static_cast<int>(radii_.size()) + index;
   const double around = group.balls.around;
   const double most = travel(group.balls.middle, group.balls.radius);
@@ -99,9 +99,8 @@ bool ObjectWalk::group_hits(int index, const Pose& pose, Travel travel, int step
 void ObjectWalk::schedule(int item, double bound, double travel, int from, int max_steps) {
   const double safe = bound / (travel + 1e-12);
   if (safe >= max_steps - from) return;
-  int& first =
-      first_due_[static_cast<std::size_t>(from + static_cast<int>(std::max(0.0, safe)) + 1)];
-  next_due_[static_cast<std::size_t>(item)] = first;
+  int& first = first_due_[from + static_cast<int>(std::max(0.0, safe)) + 1];
+  next_due_[item] = first;
   first = item;
 }
 
@@ -140,19 +139,19 @@ int ObjectWalk::advance(int max_steps, Travel travel, PoseAt pose_at) {
   const auto balls = static_cast<int>(radii_.size());
   const Pose start{R_OW_, p_OC_};
   for (int i = 0; i < static_cast<int>(groups_.size()); ++i) {
-    const Group& group = groups_[static_cast<std::size_t>(i)];
+    const Group& group = groups_[i];
     const double moved = (start * group.balls.middle - group.at * group.balls.middle).norm() +
                          group.balls.radius * geometry::most_apart(R_OW_, group.at.R_OW);
     schedule(balls + i, group.bound - moved, travel(group.balls.middle, group.balls.radius), 0,
              max_steps);
   }
   for (int step = 1; step <= max_steps; ++step) {
-    int next = first_due_[static_cast<std::size_t>(step)];
+    int next = first_due_[step];
     if (next < 0) continue;
     const Pose pose = pose_at(step);
     while (next >= 0) {
       const int item = next;
-      next = next_due_[static_cast<std::size_t>(item)];
+      next = next_due_[item];
       const bool is_ball = item < balls;
       const bool hit = is_ball ? hits(item, pose * p_CB_W_.col(item))
                                : group_hits(item - balls, pose, travel, step, max_steps);

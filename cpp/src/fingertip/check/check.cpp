@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
+
 #include "text.hpp"
 
 namespace graspless::fingertip::checking {
@@ -113,7 +115,8 @@ void Examination::check_shape(std::size_t s) {
     fault(place(s), "has " + std::to_string(it.rows.size()) + " rows, not " + std::to_string(rows));
   }
   for (std::size_t k = 0; k < poses; ++k) {
-    if (!is_rigid(it.X_WO[k])) fault(place(s), "pose " + std::to_string(k) + " is not rigid");
+    if (!geometry::is_pose(it.X_WO[k]))
+      fault(place(s), "pose " + std::to_string(k) + " is not rigid");
   }
   for (std::size_t r = 0; r < it.rows.size(); ++r) check_state(s, r);
 }
@@ -151,7 +154,7 @@ double Examination::arc_cost(std::size_t s, std::size_t arc) const {
     double cost = 0;
     for (std::size_t j = 0; j < parts; ++j) {
       const Row& row = segment(s).rows[arc * parts + j];
-      const Eigen::Vector3d center_O = center(row.fingers[static_cast<std::size_t>(i)]);
+      const Eigen::Vector3d center_O = center(row.fingers[i]);
       const Vector6d twist_O = arc_twist(s, arc);
       const Eigen::Vector3d way_O = twist_O.head<3>() + twist_O.tail<3>().cross(center_O);
       cost += (1 + options_.stability_weight / row.stability) * way_O.norm() /

@@ -52,7 +52,6 @@ struct Verdict {
 Vector6d screw_between(const Eigen::Isometry3d& X_WA, const Eigen::Isometry3d& X_WB);
 /// Pose to which a body twist carries X_WA in the time t.
 Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WA, const Vector6d& twist_O, double t);
-bool is_rigid(const Eigen::Isometry3d& X);
 
 /// One plan under examination.
 class Examination {

@@ -68,7 +68,7 @@ void Examination::check_fingers() {
   const auto count = static_cast<std::size_t>(problem_.fingers.count);
   std::vector<std::optional<FingerState>> held(count);
   for (std::size_t s = 0; s < plan_.segments.size(); ++s) {
-    if (is_regrasp(s)) held[static_cast<std::size_t>(segment(s).finger)].reset();
+    if (is_regrasp(s)) held[segment(s).finger].reset();
     for (std::size_t r = 0; r < segment(s).rows.size(); ++r) {
       for (std::size_t i = 0; i < count; ++i) {
         const FingerState& finger = segment(s).rows[r].fingers[i];
@@ -253,7 +253,7 @@ void Examination::check_world(World& world, const std::string& where, const Row&
   }
   const auto is_lifted = [&](int body) {
     const int finger = body - world.fingers[0];
-    return finger >= 0 && !row.fingers[static_cast<std::size_t>(finger)].touches;
+    return finger >= 0 && !row.fingers[finger].touches;
   };
   for (const auto& [a, b] : world.world.all_collisions()) {
     if (is_lifted(a) || is_lifted(b)) continue;

@@ -111,7 +111,7 @@ mechanics::LinearProgram balance(const Instant& instant) {
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const mechanics::Finger& finger = set.fingers[i];
     const Eigen::Matrix3Xd cone = edges(finger, set.cone_edges);
-    const double commanded = instant.commanded_forces[static_cast<Eigen::Index>(i)];
+    const double commanded = instant.commanded_forces[i];
     const int row = instant.modes[i] == FingerMode::force
                         ? lp.add_row(commanded, commanded)
                         : lp.add_row(-kInfinity, finger.max_normal_force);
@@ -129,7 +129,7 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
   double room = kInfinity;  // what is left to the limits
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const mechanics::Finger& finger = set.fingers[i];
-    const Eigen::Vector3d f = finger_forces_O.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d f = finger_forces_O.col(i);
     given += wrenches(set, finger.p_OC, f);
     if (instant.modes[i] == FingerMode::force) continue;
     room = std::min(room, finger.max_normal_force - finger.n_O.dot(f));
@@ -143,7 +143,7 @@ std::optional<double> margin_of(const Instant& instant, const Eigen::Matrix3Xd& 
   lp.set_block(0, 0, env.rowwise().sum());
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const Eigen::Matrix3Xd cone = edges(set.fingers[i], set.cone_edges);
-    const Eigen::Vector3d f = finger_forces_O.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d f = finger_forces_O.col(i);
     const auto row = static_cast<int>(lp.num_rows());
     for (int k = 0; k < 3; ++k) lp.add_row(f[k] - tolerance, f[k] + tolerance);
     const auto first = static_cast<int>(lp.num_variables());

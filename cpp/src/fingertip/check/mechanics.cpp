@@ -45,7 +45,7 @@ mechanics::Surfaces surfaces_of(const Problem& problem, const std::vector<int>& 
   if (std::count(of_plane.begin(), of_plane.end(), 0) == 0)  // nothing has the shared friction
     surfaces.friction.front().upper = surfaces.friction.front().lower;
   for (const int plane : plane_of_contact) {
-    surfaces.of_contact.push_back(of_plane[static_cast<std::size_t>(plane)]);
+    surfaces.of_contact.push_back(of_plane[plane]);
   }
   return surfaces;
 }

@@ -46,14 +46,14 @@ double farthest_way(const Eigen::Matrix3Xd& hull, const Eigen::Isometry3d& a,
 }
 
 double lattice_step(const Lattice& lattice, int axis) {
-  const int cells = lattice.counts[static_cast<std::size_t>(axis)] - 1;
+  const int cells = lattice.counts[axis] - 1;
   return cells > 0 ? (lattice.upper[axis] - lattice.lower[axis]) / cells : 0;
 }
 
 /// Index of a value of the lattice along an axis. False if it is none, to the tolerance `same`.
 bool lattice_index(const Lattice& lattice, int axis, double value, double same, double& index) {
   const double step = lattice_step(lattice, axis);
-  const int last = lattice.counts[static_cast<std::size_t>(axis)] - 1;
+  const int last = lattice.counts[axis] - 1;
   double above = value - lattice.lower[axis];
   // Yaws a whole turn apart are the same: take the first that is on the lattice.
   if (axis == 2) above -= kTwoPi * std::floor((above + same) / kTwoPi);
@@ -81,11 +81,6 @@ Eigen::Isometry3d along_screw(const Eigen::Isometry3d& X_WA, const Vector6d& twi
   if (w.norm() > 0) X.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
   X.translation() = screw_shift(w) * (t * twist_O.head<3>());
   return X_WA * X;
-}
-
-bool is_rigid(const Eigen::Isometry3d& X) {
-  const Eigen::Matrix3d R = X.linear();
-  return X.matrix().allFinite() && (R * R.transpose()).isIdentity(1e-6) && R.determinant() > 0;
 }
 
 bool Examination::is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const {

@@ -41,7 +41,7 @@ Stabilities::Support Stabilities::support_of(const VectorXd& x, const LinearProg
   }
   const VectorXd at = A * x;
   for (int i = 0; i < at.size(); ++i) {
-    if (at[i] >= lp.row_upper[static_cast<std::size_t>(i)] - least) support.rows.push_back(i);
+    if (at[i] >= lp.row_upper[i] - least) support.rows.push_back(i);
   }
   return support;
 }

@@ -17,7 +17,7 @@ class Stabilities {
  public:
   explicit Stabilities(mechanics::Matrix6Xd directions)
       : directions_(std::move(directions)),
-        supports_(static_cast<std::size_t>(directions_.cols())),
+        supports_(directions_.cols()),
         bases_(supports_.size()) {}
 
   /// The least over the directions l_d of the largest z with z l_d in balance; 0 without an

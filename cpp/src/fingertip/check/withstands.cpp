@@ -89,7 +89,7 @@ class Springs {
     const std::size_t contacts = set_.contacts.size();
     for (std::size_t j = 0; j < set_.fingers.size(); ++j) {
       const Eigen::Matrix<double, 6, 3> carries = points_[contacts + j].transpose();
-      rest_ -= carries * nominal_.finger_forces_O.col(static_cast<Eigen::Index>(j));
+      rest_ -= carries * nominal_.finger_forces_O.col(j);
       rest_grows_ -= carries.lazyProduct(forces_[contacts + j]);
     }
   }

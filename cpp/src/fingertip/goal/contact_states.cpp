@@ -23,9 +23,9 @@ constexpr double kTipping = 1e-6;
 
 /// The face of each triangle.
 std::vector<int> face_of_triangles(const std::vector<Face>& faces, Eigen::Index triangles) {
-  std::vector<int> owner(static_cast<std::size_t>(triangles), -1);
+  std::vector<int> owner(triangles, -1);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (const int t : faces[i].triangles) owner[static_cast<std::size_t>(t)] = static_cast<int>(i);
+    for (const int t : faces[i].triangles) owner[t] = static_cast<int>(i);
   }
   return owner;
 }
@@ -55,8 +55,7 @@ ContactStates::ContactStates(const Object& object) {
   for (Eigen::Index t = 0; t < hull.triangles.cols(); ++t) {
     poll();
     for (int k = 0; k < 3; ++k) {
-      sides[{hull.triangles(k, t), hull.triangles((k + 1) % 3, t)}] =
-          owner[static_cast<std::size_t>(t)];
+      sides[{hull.triangles(k, t), hull.triangles((k + 1) % 3, t)}] = owner[t];
     }
   }
   for (const auto& [ends, from] : sides) {
@@ -64,14 +63,13 @@ ContactStates::ContactStates(const Object& object) {
     if (from < 0 || reverse == sides.end()) continue;
     const int to = reverse->second;
     if (to < 0 || to == from) continue;
-    ContactState& state = all_[static_cast<std::size_t>(from)];
+    ContactState& state = all_[from];
     const Eigen::Vector3d a = corners_O_.col(ends.first), b = corners_O_.col(ends.second);
     // Seen from outside, the face lies to the left of its edges.
     const Eigen::Vector3d inward = (-state.n_O).cross((b - a).normalized());
     if (inward.dot(object.com() - a) <= kTipping * object.size()) state.is_stable = false;
     if (has_edge_to(state, to)) continue;  // an edge in pieces
-    state.edges.push_back(edge_between(faces[static_cast<std::size_t>(from)],
-                                       faces[static_cast<std::size_t>(to)], to, a));
+    state.edges.push_back(edge_between(faces[from], faces[to], to, a));
   }
 }
 
@@ -98,14 +96,14 @@ int ContactStates::standing(const Eigen::Isometry3d& X_WO, const Plane& plane,
 
 std::vector<int> ContactStates::tumbles_to(int goal) const {
   std::vector<int> tumbles(all_.size(), -1);
-  tumbles[static_cast<std::size_t>(goal)] = 0;
+  tumbles[goal] = 0;
   std::vector<int> queue{goal};
   for (std::size_t next = 0; next < queue.size(); ++next) {
     // Edges lead both ways.
     for (const TumbleEdge& edge : (*this)[queue[next]].edges) {
-      int& count = tumbles[static_cast<std::size_t>(edge.to)];
+      int& count = tumbles[edge.to];
       if (count >= 0) continue;
-      count = tumbles[static_cast<std::size_t>(queue[next])] + 1;
+      count = tumbles[queue[next]] + 1;
       queue.push_back(edge.to);
     }
   }
@@ -122,7 +120,7 @@ struct Enumeration {
   std::vector<TumbleSequence> found;
 
   void extend(int before, int face, int tumbles) {
-    const int needed = left[static_cast<std::size_t>(face)];
+    const int needed = left[face];
     if (needed < 0 || needed > tumbles || found.size() >= limit) return;
     if (tumbles == 0) found.push_back(current);
     for (const TumbleEdge& edge : states[face].edges) {

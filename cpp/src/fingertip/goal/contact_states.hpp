@@ -33,7 +33,7 @@ class ContactStates {
   explicit ContactStates(const Object& object);
 
   int size() const { return static_cast<int>(all_.size()); }
-  const ContactState& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
+  const ContactState& operator[](int i) const { return all_[i]; }
 
   /// The face that lies flush on a plane, to `tolerance` [m]; -1 when none does.
   int standing(const Eigen::Isometry3d& X_WO, const Plane& plane, double tolerance) const;

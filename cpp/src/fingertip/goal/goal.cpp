@@ -81,7 +81,7 @@ Plan plan_goal(SearchContext& context, const Goal& goal, planning::Clock& clock)
   const ContactStates states(problem.object);
   const int from = standing_face(problem, states, goal.X_WO_start, "motion.X_WO_start");
   const int to = standing_face(problem, states, goal.X_WO_goal, "motion.X_WO_goal");
-  const int needed = states.tumbles_to(to)[static_cast<std::size_t>(from)];
+  const int needed = states.tumbles_to(to)[from];
   if (needed < 0 || needed > goal.max_tumbles) return out_of_reach(needed, goal);
 
   GoalSearch search(context, clock);
@@ -154,14 +154,14 @@ std::string GoalSearch::fault(const Path& path) {
 
 /// Without regrasps some location goes all the way. With regrasps each arc may have its own.
 GoalSearch::Bounds GoalSearch::bounds(const Path& path) const {
-  std::vector<double> whole(static_cast<std::size_t>(context_.locations.size()), 0.0);
+  std::vector<double> whole(context_.locations.size(), 0.0);
   Bounds bounds{kInfinity, 0, 0};
   for (std::size_t i = 0; i + 1 < path.X_WO.size(); ++i) {
     const auto twist_O = screw_between(path.X_WO[i], path.X_WO[i + 1]);
     double least = kInfinity, most = 0;
     for (int l = 0; l < context_.locations.size(); ++l) {
       const double moved = sphere_speed(twist_O, context_.locations[l]);
-      whole[static_cast<std::size_t>(l)] += moved;
+      whole[l] += moved;
       least = std::min(least, moved);
       most = std::max(most, moved);
     }
@@ -214,7 +214,7 @@ bool GoalSearch::needs_regrasp(Sequence& sequence) {
 
 void GoalSearch::look_at(Candidate& candidate, double limit) {
   const double X_regr = context_.options.regrasp_cost;
-  Sequence& sequence = sequences_[static_cast<std::size_t>(candidate.sequence)];
+  Sequence& sequence = sequences_[candidate.sequence];
   // Then what a route costs says how many regrasps it has.
   const bool regrasps_dominate = candidate.most < X_regr;
   if (limit <= X_regr && regrasps_dominate && needs_regrasp(sequence)) {

@@ -20,32 +20,30 @@ constexpr double kPolar = 1e-12;     // y . g of a functional of length 1 that c
 constexpr float kRounding = 1e-5F;   // of single precision, relative to the terms added
 constexpr double kProgress = 0.999;  // a functional must bound by that much better to be kept
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 LatticeBounds::LatticeBounds(const PoseGraph& graph, Evaluator& evaluator)
     : locations_(graph.locations),
       options_(graph.options),
       evaluator_(evaluator),
-      row_(at(graph.locations.size())) {
+      row_(graph.locations.size()) {
   const std::size_t L = row_.size();
   num_edges_ = L == 0 ? 0 : static_cast<int>(locations_.wrenches(0).generators.cols());
-  edges_.resize(at(num_edges_) * 6 * L);
+  edges_.resize(num_edges_ * 6 * L);
   for (int l = 0; l < locations_.size(); ++l) {
     poll();
     const mechanics::FingerWrenches& wrenches = locations_.wrenches(l);
     for (int j = 0; j < num_edges_; ++j) {
       const Vector6d w =
           wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
-      for (int c = 0; c < 6; ++c) edges_[at(j * 6 + c) * L + at(l)] = static_cast<float>(w[c]);
+      for (int c = 0; c < 6; ++c) edges_[(j * 6 + c) * L + l] = static_cast<float>(w[c]);
     }
   }
 }
 
 LatticeBounds::Table& LatticeBounds::table(int instant) {
-  if (at(instant) >= tables_.size()) tables_.resize(at(instant) + 1);
-  Table& table = tables_[at(instant)];
+  if (instant >= static_cast<int>(tables_.size())) tables_.resize(instant + 1);
+  Table& table = tables_[instant];
   if (table.h.empty()) {
     table.h.assign(row_.size() * kWidth, 0.0F);
     table.offsets.assign(kWidth, kFree);
@@ -62,7 +60,7 @@ double LatticeBounds::bound(int instant, const Placement& placement) {
   const float* rows[1 + mechanics::kMaxFingers] = {t.offsets.data()};
   int count = 1;
   for (const std::int32_t location : placement) {
-    if (location >= 0) rows[count++] = t.h.data() + at(location) * kWidth;
+    if (location >= 0) rows[count++] = t.h.data() + location * kWidth;
   }
   return static_cast<double>(least_sum(rows, count, (t.size + kStep - 1) / kStep * kStep));
 }
@@ -94,7 +92,7 @@ bool LatticeBounds::store(int instant, Table& t, const Vector6d& y_in, const Pla
   if (placement != nullptr) {
     float sum = known + slack;
     for (const std::int32_t location : *placement) {
-      if (location >= 0) sum += row_[at(location)];
+      if (location >= 0) sum += row_[location];
     }
     if (static_cast<double>(sum) >= kProgress * bound(instant, *placement)) return false;
   }
@@ -106,8 +104,8 @@ bool LatticeBounds::store(int instant, Table& t, const Vector6d& y_in, const Pla
     column = t.oldest;
     t.oldest = (t.oldest + 1) % kWidth;
   }
-  t.offsets[at(column)] = known + slack;
-  for (std::size_t l = 0; l < row_.size(); ++l) t.h[l * kWidth + at(column)] = row_[l];
+  t.offsets[column] = known + slack;
+  for (std::size_t l = 0; l < row_.size(); ++l) t.h[l * kWidth + column] = row_[l];
   return true;
 }
 
@@ -117,7 +115,7 @@ float LatticeBounds::row(const Vector6d& y) {
   std::fill(row_.begin(), row_.end(), 0.0F);
   const Eigen::Matrix<float, 6, 1> f = y.cast<float>();
   for (int j = 0; j < num_edges_; ++j) {
-    const float* w = edges_.data() + at(j) * 6 * L;
+    const float* w = edges_.data() + j * 6 * L;
     for (std::size_t l = 0; l < L; ++l) {
       const float sum = f[0] * w[l] + f[1] * w[L + l] + f[2] * w[2 * L + l] + f[3] * w[3 * L + l] +
                         f[4] * w[4 * L + l] + f[5] * w[5 * L + l];

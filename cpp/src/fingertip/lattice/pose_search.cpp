@@ -13,14 +13,12 @@ namespace {
 constexpr int kAttempts = 8;        // to find a path by bounds alone
 constexpr int kBetweenClocks = 16;  // poses between two looks at the clock
 
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 PlacementCosts::PlacementCosts(const PoseGraph& graph, LatticeBounds& bounds,
                                const Placement& placement)
     : graph_(graph), bounds_(bounds), placement_(placement) {
-  displacements_.reserve(ix(graph.num_motions()));
+  displacements_.reserve(graph.num_motions());
   for (int motion = 0; motion < graph.num_motions(); ++motion) {
     displacements_.push_back(displacement(graph, motion, placement));
   }
@@ -28,14 +26,14 @@ PlacementCosts::PlacementCosts(const PoseGraph& graph, LatticeBounds& bounds,
 
 bool PlacementCosts::is_clear(int pose) const {
   for (int i = 0; i < num_fingers(placement_); ++i) {
-    if (!graph_.is_clear(pose, placement_[ix(i)])) return false;
+    if (!graph_.is_clear(pose, placement_[i])) return false;
   }
   return true;
 }
 
 PlacementCosts::Weight& PlacementCosts::weight(int kind) {
-  if (ix(kind) >= weights_.size()) weights_.resize(ix(graph_.num_kinds()));
-  Weight& weight = weights_[ix(kind)];
+  if (kind >= static_cast<int>(weights_.size())) weights_.resize(graph_.num_kinds());
+  Weight& weight = weights_[kind];
   if (weight.value >= 0) return weight;
   z_.clear();
   for (const int instant : graph_.instants(kind)) {
@@ -52,7 +50,7 @@ double PlacementCosts::cost(int pose, int move) {
   if (kind < 0) return kInfinity;
   const double value = weight(kind).value;
   if (value == kInfinity || !is_arc_clear(graph_, pose, move, placement_)) return kInfinity;
-  return displacements_[ix(graph_.motion(pose, move))] * value;
+  return displacements_[graph_.motion(pose, move)] * value;
 }
 
 bool PlacementCosts::is_solved(int pose, int move) {
@@ -74,7 +72,7 @@ double PlacementCosts::solve(int pose, int move) {
 }
 
 PoseSearch::PoseSearch(const PoseGraph& graph, RemainingDistance& remaining)
-    : graph_(graph), remaining_(remaining), states_(ix(graph.num_poses())) {}
+    : graph_(graph), remaining_(remaining), states_(graph.num_poses()) {}
 
 void PoseSearch::begin(const Placement& placement, double limit) {
   ++round_;
@@ -93,7 +91,7 @@ double PoseSearch::heuristic(int pose) const {
 
 /// What this round knows of a pose.
 PoseSearch::State& PoseSearch::state(int pose) {
-  State& state = states_[ix(pose)];
+  State& state = states_[pose];
   if (state.round != round_) {
     state = State{};
     state.round = round_;
@@ -190,10 +188,10 @@ PosePath PoseSearch::search(PlacementCosts& costs, const Settings& settings, pla
 PosePath PoseSearch::path_to_goal() const {
   PosePath path;
   path.found = true;
-  path.cost = states_[ix(graph_.goal())].g;
-  for (int pose = graph_.goal(); pose >= 0; pose = states_[ix(pose)].parent) {
+  path.cost = states_[graph_.goal()].g;
+  for (int pose = graph_.goal(); pose >= 0; pose = states_[pose].parent) {
     path.poses.push_back(pose);
-    const State& state = states_[ix(pose)];
+    const State& state = states_[pose];
     if (state.parent >= 0) path.moves.push_back(state.move);
   }
   std::reverse(path.poses.begin(), path.poses.end());

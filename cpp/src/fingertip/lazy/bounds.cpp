@@ -59,7 +59,7 @@ StabilityBounds::StabilityBounds(const PoseGraph& graph, const Instants& instant
                           directions == mechanics::disturbance_directions();
   paper_length_ = directions.col(0).norm();
   list_edges();
-  pools_.resize(static_cast<std::size_t>(instants.size()));
+  pools_.resize(instants.size());
   const int P = graph.options.samples_per_arc;
   for (int i = 0; i < P; ++i) {
     const int j = (P / 2 + i) % P;  // the middle samples side by side: they are looked at most
@@ -91,10 +91,8 @@ void StabilityBounds::list_edges() {
           wrenches.generators.col(j) * (wrenches.max_normal_force / wrenches.normal[j]);
       most_force_ = std::max(most_force_, w.norm());
       for (int c = 0; c < 6; ++c) {
-        edge_wrenches_[static_cast<std::size_t>((location * edges_ + j) * 6 + c)] =
-            static_cast<float>(w[c]);
-        components_[static_cast<std::size_t>((location * 6 + c) * padded_ + j)] =
-            static_cast<float>(w[c]);
+        edge_wrenches_[(location * edges_ + j) * 6 + c] = static_cast<float>(w[c]);
+        components_[(location * 6 + c) * padded_ + j] = static_cast<float>(w[c]);
       }
     }
   }
@@ -269,8 +267,7 @@ void StabilityBounds::store(int instant, const Bound& bound) {
   const double most = bound.y.norm() * most_force_;
   p.offsets[col] = static_cast<float>(
       bound.offset + kRoundUp * (std::abs(bound.offset) + graph_.num_fingers * most));
-  for (std::size_t c = 0; c < 6; ++c)
-    p.y[c * width + col] = static_cast<float>(bound.y[static_cast<Eigen::Index>(c)]);
+  for (std::size_t c = 0; c < 6; ++c) p.y[c * width + col] = static_cast<float>(bound.y[c]);
   p.stamp = p.stamps[col] = ++stamp_;
 }
 

@@ -84,8 +84,8 @@ class StabilityBounds {
     mechanics::Vector6d world;
     std::vector<std::int8_t> holds;  // for each kind of standing environment; -1: not known yet
   };
-  const Pool& pool(int instant) const { return pools_[static_cast<std::size_t>(instant)]; }
-  Pool& pool(int instant) { return pools_[static_cast<std::size_t>(instant)]; }
+  const Pool& pool(int instant) const { return pools_[instant]; }
+  Pool& pool(int instant) { return pools_[instant]; }
   void list_edges();
   void place(int instant, const Eigen::Isometry3d& X_WO);
   void find_standing();

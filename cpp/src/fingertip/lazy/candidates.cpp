@@ -88,7 +88,7 @@ void Candidates::set_stability(int c, int slot, double z) {
 
 bool Candidates::tighten(int c, int slot) {
   const std::size_t i = slot_index(c, slot);
-  const int instant = instants_[static_cast<std::size_t>(slot)];
+  const int instant = instants_[slot];
   if (known_[i] == Known::solved || bounds_.stamp(instant) <= at(c).stamp) return false;
   const auto bound = static_cast<double>(bounds_.bound(instant, at(c).placement));
   if (bound >= z_[i]) return false;
@@ -175,11 +175,10 @@ bool Candidates::request(int c, int first_arc, int last_arc, std::vector<Stabili
   open.erase(std::unique(open.begin(), open.end()), open.end());
   const std::size_t count =
       std::min(open.size(), static_cast<std::size_t>(std::max(1, at(c).solved)));
-  std::partial_sort(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count), open.end(),
-                    [&](int a, int b) {
-                      const double za = z_[slot_index(c, a)], zb = z_[slot_index(c, b)];
-                      return za != zb ? za < zb : a < b;
-                    });
+  std::partial_sort(open.begin(), open.begin() + count, open.end(), [&](int a, int b) {
+    const double za = z_[slot_index(c, a)], zb = z_[slot_index(c, b)];
+    return za != zb ? za < zb : a < b;
+  });
   const bool is_whole = last_arc - first_arc == graph_.num_arcs();
   for (std::size_t i = 0; i < count; ++i) {
     request_slot(c, open[i], queries, is_whole ? needed(c, open[i]) : 0);
@@ -218,7 +217,7 @@ void Candidates::request_slot(int c, int slot, std::vector<StabilityQuery>& quer
   StabilityQuery query;
   query.index = c;
   query.slot = slot;
-  query.instant = instants_[static_cast<std::size_t>(slot)];
+  query.instant = instants_[slot];
   query.placement = at(c).placement;
   query.needed = needed;
   queries.push_back(std::move(query));

@@ -35,8 +35,8 @@ class Candidates {
   const Placement& placement(int c) const { return at(c).placement; }
 
   /// Cost of the arcs before a pose, and from it on; infinite when one is impossible.
-  double before(int c, int pose) const { return before_[sum_index(c) + ix(pose)]; }
-  double after(int c, int pose) const { return after_[sum_index(c) + ix(pose)]; }
+  double before(int c, int pose) const { return before_[sum_index(c) + pose]; }
+  double after(int c, int pose) const { return after_[sum_index(c) + pose]; }
   double arc(int c, int arc) const { return arcs_[arc_index(c, arc)]; }
 
   /// Takes up new bounds. True if any cost has changed.
@@ -71,14 +71,15 @@ class Candidates {
     int solved = 0;
     bool is_entered = false;
   };
-  const Candidate& at(int c) const { return all_[static_cast<std::size_t>(c)]; }
-  Candidate& at(int c) { return all_[static_cast<std::size_t>(c)]; }
-  static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-  std::size_t sum_index(int c) const { return ix(c) * ix(graph_.num_poses()); }
-  std::size_t arc_index(int c, int arc) const { return ix(c) * ix(graph_.num_arcs()) + ix(arc); }
-  std::size_t slot_index(int c, int slot) const { return ix(c) * instants_.size() + ix(slot); }
+  const Candidate& at(int c) const { return all_[c]; }
+  Candidate& at(int c) { return all_[c]; }
+  std::size_t sum_index(int c) const { return static_cast<std::size_t>(c) * graph_.num_poses(); }
+  std::size_t arc_index(int c, int arc) const {
+    return static_cast<std::size_t>(c) * graph_.num_arcs() + arc;
+  }
+  std::size_t slot_index(int c, int slot) const { return c * instants_.size() + slot; }
   int slot(int arc, int sample) const {
-    return slots_[static_cast<std::size_t>(arc * graph_.options.samples_per_arc + sample)];
+    return slots_[arc * graph_.options.samples_per_arc + sample];
   }
   bool tighten(int c, int slot);
   double tighten_arc(int c, int arc, bool& changed);

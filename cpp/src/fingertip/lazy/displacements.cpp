@@ -9,8 +9,7 @@
 
 namespace graspless::fingertip {
 
-Displacements::Displacements(const PoseGraph& graph)
-    : arcs_(static_cast<std::size_t>(graph.num_arcs())) {
+Displacements::Displacements(const PoseGraph& graph) : arcs_(graph.num_arcs()) {
   const auto locations = static_cast<std::size_t>(graph.locations.size());
   parts_.reserve(locations * arcs_);
   before_.assign(locations * (arcs_ + 1), 0.0);
@@ -34,7 +33,7 @@ void Displacements::rank_all() {
   before_at_.resize(locations * poses);
   after_at_.resize(locations * poses);
   for (std::size_t i = 0; i < locations; ++i) {
-    ranks_[static_cast<std::size_t>(ranking_[i])] = static_cast<std::int32_t>(i);
+    ranks_[ranking_[i]] = static_cast<std::int32_t>(i);
     for (std::size_t pose = 0; pose < poses; ++pose) {
       before_at_[pose * locations + i] = before_[i * poses + pose];
       after_at_[pose * locations + i] = after_[i * poses + pose];

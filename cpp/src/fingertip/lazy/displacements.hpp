@@ -23,11 +23,11 @@ class Displacements {
   const double* before_at(int pose) const { return &before_at_[at_pose(pose)]; }
   const double* after_at(int pose) const { return &after_at_[at_pose(pose)]; }
   /// In the arc in which the location moves least.
-  double least_arc(int location) const { return least_arcs_[static_cast<std::size_t>(location)]; }
+  double least_arc(int location) const { return least_arcs_[location]; }
   /// Locations by ascending least arc.
   const std::vector<std::int32_t>& ranking() const { return ranking_; }
   /// Place of a location in ranking().
-  std::int32_t rank(int location) const { return ranks_[static_cast<std::size_t>(location)]; }
+  std::int32_t rank(int location) const { return ranks_[location]; }
   /// No route costs less, whatever its placements.
   double least() const { return least_; }
   /// No route on which some finger stays where it is costs less.

@@ -37,13 +37,12 @@ Hubs::Hubs(const PoseGraph& graph, const StabilityBounds& bounds,
     if (is_new) instants_.push_back(instant);
     slots_.push_back(entry->second);
   }
-  index_of_one_.assign(static_cast<std::size_t>(graph.locations.size()), -1);
+  index_of_one_.assign(graph.locations.size(), -1);
 }
 
 int Hubs::open(const Placement& kept) {
   const bool is_one = kept[0] >= 0 && kept[1] < 0;
-  int& known = is_one ? index_of_one_[static_cast<std::size_t>(kept[0])]
-                      : index_.try_emplace(kept, -1).first->second;
+  int& known = is_one ? index_of_one_[kept[0]] : index_.try_emplace(kept, -1).first->second;
   if (known < 0) {
     known = size();
     kept_.push_back(kept);
@@ -84,14 +83,14 @@ void Hubs::rank(Crew& crew) {
 /// Members by ascending least arc: what they cost from pose to pose is no less.
 void Hubs::rank(int hub) {
   poll();
-  std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
+  std::vector<Member>& members = members_[hub];
   std::vector<std::int32_t> ranks;
   for (const Member& m : members) ranks.push_back(displacements_.rank(m.location));
   std::sort(ranks.begin(), ranks.end());
   ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
   members.clear();
   for (const std::int32_t rank : ranks) {
-    members.push_back({displacements_.ranking()[static_cast<std::size_t>(rank)]});
+    members.push_back({displacements_.ranking()[rank]});
   }
   const auto poses = static_cast<std::size_t>(graph_.num_poses());
   std::vector<double> before(poses, kInfinity), after = before;
@@ -110,8 +109,8 @@ void Hubs::rank(int hub) {
 }
 
 const std::vector<Hubs::Neighbor>& Hubs::neighbors(int hub) {
-  if (!neighbors_[static_cast<std::size_t>(hub)].empty()) {
-    return neighbors_[static_cast<std::size_t>(hub)];
+  if (!neighbors_[hub].empty()) {
+    return neighbors_[hub];
   }
   std::vector<Neighbor> found;
   const Placement kept = this->kept(hub);
@@ -125,8 +124,8 @@ const std::vector<Hubs::Neighbor>& Hubs::neighbors(int hub) {
     }
   }
   memory_ += static_cast<std::int64_t>(found.size() * sizeof(Neighbor));
-  neighbors_[static_cast<std::size_t>(hub)] = std::move(found);
-  return neighbors_[static_cast<std::size_t>(hub)];
+  neighbors_[hub] = std::move(found);
+  return neighbors_[hub];
 }
 
 bool Hubs::may_be_stable(int hub, int pose) {
@@ -157,7 +156,7 @@ Hubs::Regrasp Hubs::best(int hub, int pose) {
 
 /// The placement of the kept fingers and this one.
 int Hubs::candidate(int hub, int member) {
-  Member& m = members_[static_cast<std::size_t>(hub)][static_cast<std::size_t>(member)];
+  Member& m = members_[hub][member];
   if (m.candidate < 0) m.candidate = candidates_.open(with(kept(hub), m.location));
   return m.candidate;
 }
@@ -193,7 +192,7 @@ Hubs::Least Hubs::least_of(int hub, int pose) {
     kept_after = std::max(kept_after, all_after[location]);
   }
   Least least;
-  std::vector<Member>& members = members_[static_cast<std::size_t>(hub)];
+  std::vector<Member>& members = members_[hub];
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (i % kBetweenLooks == 0) {
       const double each = displacements_.least_arc(members[i].location);
@@ -253,7 +252,7 @@ bool Hubs::has_risen(int hub, int pose) const {
   const Least& least = least_[index(hub, pose)];
   if (least.before == kInfinity || least.after == kInfinity) return false;
   if (least.first < 0 || least.second < 0) return true;
-  const auto candidate = [&](int i) { return members(hub)[static_cast<std::size_t>(i)].candidate; };
+  const auto candidate = [&](int i) { return members(hub)[i].candidate; };
   return candidates_.before(candidate(least.first), pose) != least.before ||
          candidates_.after(candidate(least.second), pose) != least.after;
 }

@@ -41,10 +41,8 @@ class Hubs {
   void rank(Crew& crew);
   int open(const Placement& kept);
   int size() const { return static_cast<int>(kept_.size()); }
-  const Placement& kept(int hub) const { return kept_[static_cast<std::size_t>(hub)]; }
-  const std::vector<Member>& members(int hub) const {
-    return members_[static_cast<std::size_t>(hub)];
-  }
+  const Placement& kept(int hub) const { return kept_[hub]; }
+  const std::vector<Member>& members(int hub) const { return members_[hub]; }
 
   /// A hub that is reached by putting a finger down at a location and lifting another.
   struct Neighbor {
@@ -100,7 +98,7 @@ class Hubs {
   void compare(int hub, int pose);
   bool has_risen(int hub, int pose) const;
   int candidate(int hub, int member);
-  int slot(int pose) const { return slots_[static_cast<std::size_t>(pose)]; }
+  int slot(int pose) const { return slots_[pose]; }
   Known& known(int hub, int slot) {
     return known_[static_cast<std::size_t>(hub) * instants_.size() +
                   static_cast<std::size_t>(slot)];

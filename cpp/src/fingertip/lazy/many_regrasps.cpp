@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t kRoutes = 16;  // looked at together
 
-template <typename T>
-T& at(std::vector<T>& values, int i) {
-  return values[static_cast<std::size_t>(i)];
-}
-
 /// Where a route may be: on a candidate, or at a hub.
 struct DpState {
   int layer, pose;
@@ -41,7 +36,7 @@ class DpTable {
     for (int pose = 0; pose < poses_; ++pose) {
       for (int r = 0; r <= (is_counted_ ? max_ : 0); ++r) displace(r, pose);
       if (pose == 0 || pose == poses_ - 1) continue;  // no use in a regrasp there
-      least_at_hub_.assign(static_cast<std::size_t>(lazy_.hubs.size()), kInfinity);
+      least_at_hub_.assign(lazy_.hubs.size(), kInfinity);
       for (int r = 0; r < max_; ++r) {
         if (is_counted_ || r == 0) lift(r, pose);
         if (r > 0) lift_again(r, pose);
@@ -87,15 +82,15 @@ class DpTable {
   void displace(int layer, int pose) {
     poll();
     std::vector<double>& here = cell(layer, pose).arrived;
-    here.assign(static_cast<std::size_t>(candidates_), kInfinity);
+    here.assign(candidates_, kInfinity);
     if (pose == 0) {
-      if (layer == 0) here.assign(static_cast<std::size_t>(candidates_), 0.0);
+      if (layer == 0) here.assign(candidates_, 0.0);
       return;
     }
     Cell& before = cell(layer, pose - 1);
     for (int c = 0; c < candidates_; ++c) {
       const double from = cost(before, c);
-      if (from < kInfinity) at(here, c) = from + lazy_.candidates.arc(c, pose - 1);
+      if (from < kInfinity) here[c] = from + lazy_.candidates.arc(c, pose - 1);
     }
   }
 
@@ -105,7 +100,7 @@ class DpTable {
     for (int hub = 0; hub < lazy_.hubs.size(); ++hub, poll()) {
       if (lazy_.hubs.members(hub).empty() || !lazy_.hubs.may_be_stable(hub, pose)) continue;
       for (const Hubs::Member& member : lazy_.hubs.members(hub)) {
-        const double here = arrived[static_cast<std::size_t>(member.candidate)];
+        const double here = arrived[member.candidate];
         if (here < kInfinity) reach(layer, pose, hub, {here, member.candidate, false, layer});
       }
     }
@@ -120,7 +115,7 @@ class DpTable {
                       true, layer - 1};
       for (const Hubs::Neighbor& next : lazy_.hubs.neighbors(static_cast<int>(hub))) {
         if (next.hub < static_cast<int>(least_at_hub_.size()) &&
-            step.cost >= at(least_at_hub_, next.hub)) {
+            step.cost >= least_at_hub_[next.hub]) {
           continue;
         }
         if (lazy_.graph.is_clear(pose, next.location) && lazy_.hubs.may_be_stable(next.hub, pose)) {
@@ -137,9 +132,9 @@ class DpTable {
     const auto size = static_cast<std::size_t>(lazy_.hubs.size());
     if (hubs.size() < size) hubs.resize(size);
     if (least_at_hub_.size() < size) least_at_hub_.resize(size, kInfinity);
-    if (step.cost >= at(least_at_hub_, hub)) return;
-    at(least_at_hub_, hub) = step.cost;
-    at(hubs, hub) = step;
+    if (step.cost >= least_at_hub_[hub]) return;
+    least_at_hub_[hub] = step.cost;
+    hubs[hub] = step;
   }
 
   // And comes elsewhere.
@@ -147,14 +142,14 @@ class DpTable {
     std::vector<Step>& hubs = cell(layer, pose).hubs;
     Cell& next = cell(is_counted_ ? layer + 1 : 0, pose);
     for (int hub = 0; hub < static_cast<int>(hubs.size()); ++hub, poll()) {
-      const double here = at(hubs, hub).cost + lazy_.graph.options.regrasp_cost;
+      const double here = hubs[hub].cost + lazy_.graph.options.regrasp_cost;
       if (here == kInfinity) continue;
-      next.set_down.resize(static_cast<std::size_t>(candidates_));
+      next.set_down.resize(candidates_);
       for (const Hubs::Member& member : lazy_.hubs.members(hub)) {
         const int c = member.candidate;
         if (here >= cost(next, c)) continue;
         if (!is_feasible(lazy_.graph, pose, lazy_.candidates.placement(c))) continue;
-        at(next.set_down, c) = {here, hub, true, layer};
+        next.set_down[c] = {here, hub, true, layer};
       }
     }
   }
@@ -177,9 +172,9 @@ class DpTable {
       states.push_back(state);
       Cell& here = cell(state.layer, state.pose);
       const bool was_set_down = !state.at_hub && !here.set_down.empty() &&
-                                at(here.set_down, state.index).cost < at(here.arrived, state.index);
+                                here.set_down[state.index].cost < here.arrived[state.index];
       if (state.at_hub || was_set_down) {
-        const Step& step = at(was_set_down ? here.set_down : here.hubs, state.index);
+        const Step& step = (was_set_down ? here.set_down : here.hubs)[state.index];
         state = {step.layer, state.pose, step.from_hub, step.from};
       } else if (state.pose-- == 0) {
         return states;
@@ -259,7 +254,8 @@ std::vector<Node> nodes(LazyState& lazy, const std::vector<DpState>& states) {
 
 }  // namespace
 
-Route search_many_regrasps(LazyState& lazy, int max_regrasps) {
+Route search_many_regrasps(LazyState& lazy) {
+  const int max_regrasps = lazy.graph.options.max_regrasps;
   open_all(lazy);
   Route route;
   route.lower_bound = lazy.displacements.least() + 2 * lazy.graph.options.regrasp_cost;

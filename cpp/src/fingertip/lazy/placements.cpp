@@ -63,7 +63,7 @@ class Enumeration {
 
   bool is_apart(int depth, int location) const {
     for (int i = 0; i < depth && i < mechanics::kMaxFingers; ++i) {
-      if (!graph_.locations.are_apart(placement_[static_cast<std::size_t>(i)], location)) {
+      if (!graph_.locations.are_apart(placement_[i], location)) {
         return false;
       }
     }
@@ -99,9 +99,9 @@ class Enumeration {
          i < end && i + static_cast<std::size_t>(missing) < locations_.size(); ++i) {
       if (i % kPolledLocations == 0) poll();
       if (!extend(depth, i, missing) || !is_apart(depth, locations_[i])) continue;
-      placement_[static_cast<std::size_t>(depth)] = locations_[i];
+      placement_[depth] = locations_[i];
       if (!place(depth + 1, i + 1, locations_.size())) return false;
-      placement_[static_cast<std::size_t>(depth)] = -1;
+      placement_[depth] = -1;
     }
     return true;
   }

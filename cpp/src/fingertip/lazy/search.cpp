@@ -119,7 +119,7 @@ class Frontier {
 
   void open(Entry entry) {
     if (entry.index < first_placement_) return;
-    const Placement& placement = placements_[static_cast<std::size_t>(entry.index)];
+    const Placement& placement = placements_[entry.index];
     const double now = listing_->cost(placement);
     if (now > entry.cost) {
       entry.cost = now;
@@ -240,7 +240,7 @@ std::optional<Route> refine(LazyState& lazy, Frontier& frontier,
     } else if (entry.kind == Entry::Kind::one_regrasp) {
       frontier.list_hubs();  // Figure 5(b), cost (10): no route without regrasps is cheaper
     } else if (entry.kind == Entry::Kind::more_regrasps) {
-      return search_many_regrasps(lazy, lazy.graph.options.max_regrasps);  // nor one with one
+      return search_many_regrasps(lazy);  // nor one with one
     } else if (frontier.is_untouched(entry)) {
       frontier.compare(entry);
     } else if (frontier.tighten(entry) || frontier.cost(entry) > entry.cost) {

@@ -131,7 +131,7 @@ void share_stabilities(const PoseGraph& graph, const Route& route,
     const Node &from = route.nodes[i - 1], &to = route.nodes[i];
     for (std::size_t k = 1; k < evaluators.size(); ++k) {
       for (int f = 0; from.pose == to.pose && f < num_fingers(from.placement); ++f) {
-        const Placement kept = without(from.placement, from.placement[static_cast<std::size_t>(f)]);
+        const Placement kept = without(from.placement, from.placement[f]);
         first.adopt(evaluators[k], graph.rest_instant(to.pose), kept);
       }
       for (int j = 0; from.pose < to.pose && j < graph.options.samples_per_arc; ++j) {

@@ -62,9 +62,9 @@ Route best_solved(LazyState& lazy);
 void share_stabilities(const PoseGraph& graph, const Route& route,
                        std::vector<Evaluator>& evaluators);
 
-/// The cheapest route with at most `max_regrasps`, by dynamic programming over poses, regrasps and
-/// placements, solving what is open on the best one until nothing is.
-Route search_many_regrasps(LazyState& lazy, int max_regrasps);
+/// The cheapest route with at most options.max_regrasps, by dynamic programming over poses,
+/// regrasps and placements, solving what is open on the best one until nothing is.
+Route search_many_regrasps(LazyState& lazy);
 
 /// Calls found(placement) for all placements on these locations (ascending) for which the bounds at
 /// these instants allow the stability `needed`, in lexicographic order, until it returns false.

@@ -37,7 +37,7 @@ void Evaluator::adopt(const Evaluator& other, int instant, const Placement& plac
   const auto [own, is_new] = known_.try_emplace(entry->first, entry->second);
   if (!is_new || own->second.best < 0) return;
   own->second.best = static_cast<int>(bests_.size());
-  bests_.push_back(other.bests_[static_cast<std::size_t>(entry->second.best)]);
+  bests_.push_back(other.bests_[entry->second.best]);
 }
 
 void Evaluator::forget() {
@@ -84,7 +84,7 @@ mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<
   mechanics::ControlModes modes;
   const Known known = solve(instant, placement);
   if (known.best < 0) return modes;
-  Best best = bests_[static_cast<std::size_t>(known.best)];
+  Best best = bests_[known.best];
 
   // Ties are broken among fingers in the order of the placement, as the masks are.
   const int n = num_fingers(placement);
@@ -92,7 +92,7 @@ mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<
   std::vector<FingerMode> before(previous.empty() ? 0 : fingers.size());
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     rank.push_back(static_cast<int>(std::find(at.begin(), at.end(), fingers[i]) - at.begin()));
-    if (!before.empty()) before[static_cast<std::size_t>(rank[i])] = previous[i];
+    if (!before.empty()) before[rank[i]] = previous[i];
   }
   const mechanics::ForceMask mask = mechanics::break_tie(
       contact_set(instants_[instant], locations_, instants_.problem().fingers, at), best.ties,
@@ -107,7 +107,7 @@ mechanics::ControlModes Evaluator::control_modes(int instant, const std::vector<
   modes.stability.z = best.z;
   modes.stability.commanded_forces.resize(n);
   for (int i = 0; i < n; ++i) {
-    const int k = rank[static_cast<std::size_t>(i)];
+    const int k = rank[i];
     modes.modes.push_back((mask >> k & 1U) != 0 ? FingerMode::force : FingerMode::position);
     modes.stability.commanded_forces[i] = best.commanded_forces[k];
   }

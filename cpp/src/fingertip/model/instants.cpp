@@ -127,7 +127,7 @@ int Instants::add(const mechanics::BodyState& state) {
   Instant instant;
   instant.set = loaded(problem_, state.X_WO, std::move(patches.contacts));
   for (const int plane : patches.plane) {
-    instant.surfaces.push_back(surface_of_plane_[static_cast<std::size_t>(plane)]);
+    instant.surfaces.push_back(surface_of_plane_[plane]);
   }
   instant.set.wrench_scale = wrench_scale_;
   instant.set.cone_edges = options_.cone_edges;

@@ -47,7 +47,7 @@ class Instants {
   /// Throws std::invalid_argument with the reason when its contacts cannot be represented by
   /// points, or there is none.
   int add(const mechanics::BodyState& state);
-  const Instant& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
+  const Instant& operator[](int i) const { return all_[i]; }
   int size() const { return static_cast<int>(all_.size()); }
 
   /// Friction of each surface: first that of the problem, which planes without their own share,

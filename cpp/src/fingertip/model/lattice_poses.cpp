@@ -121,7 +121,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
       num_fingers(problem.fingers.count),
       problem_(problem),
       instants_(instants),
-      num_locations_(ix(locations_in.size())),
+      num_locations_(locations_in.size()),
       num_moves_(kMoves),
       clearance_(problem) {
   const Grid grid(lattice);
@@ -138,7 +138,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Lattice& lattice, const Locat
       add_motion(screw_between(X_WO(yaw), grid.X_WO_after(X_WO(yaw), move)));
     }
   }
-  floor_kinds_.assign(ix(num_motions()), kUnknown);
+  floor_kinds_.assign(num_motions(), kUnknown);
   kinds_of_.assign(next_.size(), kUnknown);
   rest_.assign(X_WO_.size(), kUnknown);
   free_.assign(X_WO_.size(), -1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Locations of fingertips: a cell-centred grid of points on each face, those that the sphere can
-// reach, placements as sets of them, and clearance from planes and obstacles.
+// reach, and placements as sets of them.
 #include "fingertip/model/locations.hpp"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ bool is_inside(const Eigen::Vector2d& p, const Face& face, const geometry::Mesh&
     poll();
     std::array<Eigen::Vector2d, 3> corners;
     for (int k = 0; k < 3; ++k) {
-      corners[static_cast<std::size_t>(k)] = in_face(face, mesh.vertices.col(mesh.triangles(k, t)));
+      corners[k] = in_face(face, mesh.vertices.col(mesh.triangles(k, t)));
     }
     if (is_inside(p, corners, tolerance)) return true;
   }
@@ -167,17 +167,17 @@ std::vector<int> add_start(const Object& object, const Fingers& fingers,
 
 int num_fingers(const Placement& placement) {
   int count = 0;
-  while (count < mechanics::kMaxFingers && placement[static_cast<std::size_t>(count)] >= 0) ++count;
+  while (count < mechanics::kMaxFingers && placement[count] >= 0) ++count;
   return count;
 }
 
 Placement with(const Placement& placement, int location) {
   Placement result = placement;
   int i = num_fingers(placement);
-  for (; i > 0 && result[static_cast<std::size_t>(i - 1)] > location; --i) {
-    result[static_cast<std::size_t>(i)] = result[static_cast<std::size_t>(i - 1)];
+  for (; i > 0 && result[i - 1] > location; --i) {
+    result[i] = result[i - 1];
   }
-  result[static_cast<std::size_t>(i)] = location;
+  result[i] = location;
   return result;
 }
 

@@ -49,10 +49,8 @@ class Locations {
   Locations(const Object& object, const Fingers& fingers, const Options& options);
 
   int size() const { return static_cast<int>(all_.size()); }
-  const Location& operator[](int i) const { return all_[static_cast<std::size_t>(i)]; }
-  const mechanics::FingerWrenches& wrenches(int i) const {
-    return wrenches_[static_cast<std::size_t>(i)];
-  }
+  const Location& operator[](int i) const { return all_[i]; }
+  const mechanics::FingerWrenches& wrenches(int i) const { return wrenches_[i]; }
   /// Where each finger starts; empty: anywhere.
   const std::vector<int>& start() const { return start_; }
   // The spheres do not overlap (touching is allowed), and are no farther apart than fingers reach.

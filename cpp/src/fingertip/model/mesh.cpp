@@ -41,17 +41,17 @@ double diagonal(const Eigen::Matrix3Xd& points) {
 
 /// Without vertices that no triangle uses. They are no part of the object.
 geometry::Mesh used(const geometry::Mesh& mesh) {
-  std::vector<int> index(static_cast<std::size_t>(mesh.vertices.cols()), -1);
-  for (const int vertex : mesh.triangles.reshaped()) index[static_cast<std::size_t>(vertex)] = 0;
+  std::vector<int> index(mesh.vertices.cols(), -1);
+  for (const int vertex : mesh.triangles.reshaped()) index[vertex] = 0;
   geometry::Mesh out{Eigen::Matrix3Xd(3, mesh.vertices.cols()), mesh.triangles};
   int count = 0;
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
-    if (index[static_cast<std::size_t>(i)] < 0) continue;
-    index[static_cast<std::size_t>(i)] = count;
+    if (index[i] < 0) continue;
+    index[i] = count;
     out.vertices.col(count++) = mesh.vertices.col(i);
   }
   out.vertices.conservativeResize(3, count);
-  for (int& vertex : out.triangles.reshaped()) vertex = index[static_cast<std::size_t>(vertex)];
+  for (int& vertex : out.triangles.reshaped()) vertex = index[vertex];
   return out;
 }
 
@@ -60,7 +60,7 @@ geometry::Mesh merged(const geometry::Mesh& mesh) {
   const double cell = std::max(kMergeTolerance * diagonal(mesh.vertices), 1e-300);
   const Eigen::Vector3d corner = mesh.vertices.rowwise().minCoeff();
   std::map<std::array<std::int64_t, 3>, int> known;
-  std::vector<int> index(static_cast<std::size_t>(mesh.vertices.cols()));
+  std::vector<int> index(mesh.vertices.cols());
   geometry::Mesh out{Eigen::Matrix3Xd(3, mesh.vertices.cols()),
                      Eigen::Matrix3Xi(3, mesh.triangles.cols())};
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i) {
@@ -70,14 +70,14 @@ geometry::Mesh merged(const geometry::Mesh& mesh) {
         known.try_emplace({std::llround(at.x()), std::llround(at.y()), std::llround(at.z())},
                           static_cast<int>(known.size()));
     if (is_new) out.vertices.col(entry->second) = mesh.vertices.col(i);
-    index[static_cast<std::size_t>(i)] = entry->second;
+    index[i] = entry->second;
   }
   out.vertices.conservativeResize(3, static_cast<Eigen::Index>(known.size()));
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
     poll();
     Eigen::Vector3i t;
-    for (int k = 0; k < 3; ++k) t[k] = index[static_cast<std::size_t>(mesh.triangles(k, i))];
+    for (int k = 0; k < 3; ++k) t[k] = index[mesh.triangles(k, i)];
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.col(count++) = t;
   }
   out.triangles.conservativeResize(3, count);
@@ -209,29 +209,27 @@ std::vector<Face> find_faces(const geometry::Mesh& mesh, double size) {
   const Eigen::Matrix3Xi across = neighbours(mesh);
   std::vector<Eigen::Vector3d> areas;
   for (int i = 0; i < count; ++i) areas.push_back(area_vector(mesh, i));
-  std::vector<int> seeds(static_cast<std::size_t>(count));
+  std::vector<int> seeds(count);
   std::iota(seeds.begin(), seeds.end(), 0);
-  const auto area = [&](int i) -> const Eigen::Vector3d& {
-    return areas[static_cast<std::size_t>(i)];
-  };
+  const auto area = [&](int i) -> const Eigen::Vector3d& { return areas[i]; };
   // The largest triangle of a face knows its plane best.
   std::stable_sort(seeds.begin(), seeds.end(),
                    [&](int a, int b) { return area(a).norm() > area(b).norm(); });
-  std::vector<bool> taken(static_cast<std::size_t>(count), false);
+  std::vector<bool> taken(count, false);
   std::vector<Face> faces;
   for (const int seed : seeds) {
     poll();
-    if (taken[static_cast<std::size_t>(seed)] || area(seed).isZero(0)) continue;
+    if (taken[seed] || area(seed).isZero(0)) continue;
     const Eigen::Vector3d n = area(seed).normalized();
     const Eigen::Vector3d p = mesh.vertices.col(mesh.triangles(0, seed));
     std::vector<int> group{seed};
-    taken[static_cast<std::size_t>(seed)] = true;
+    taken[seed] = true;
     for (std::size_t next = 0; next < group.size(); ++next) {
       for (int k = 0; k < 3; ++k) {
         const int other = across(k, group[next]);
-        if (taken[static_cast<std::size_t>(other)]) continue;
+        if (taken[other]) continue;
         if (!lies_in(mesh, other, area(other), p, n, kFlatness * size)) continue;
-        taken[static_cast<std::size_t>(other)] = true;
+        taken[other] = true;
         group.push_back(other);
       }
     }

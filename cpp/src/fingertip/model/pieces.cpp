@@ -32,11 +32,11 @@ struct Piece {
 std::vector<Piece> pieces_of(const geometry::Mesh& mesh) {
   const Eigen::Matrix3Xi across = neighbours(mesh);
   const Eigen::Vector3d origin = mesh.vertices.rowwise().mean();
-  std::vector<bool> taken(static_cast<std::size_t>(across.cols()), false);
+  std::vector<bool> taken(across.cols(), false);
   std::vector<Piece> pieces;
   for (int seed = 0; seed < static_cast<int>(across.cols()); ++seed) {
-    if (taken[static_cast<std::size_t>(seed)]) continue;
-    taken[static_cast<std::size_t>(seed)] = true;
+    if (taken[seed]) continue;
+    taken[seed] = true;
     Piece piece;
     piece.triangles = {seed};
     for (std::size_t next = 0; next < piece.triangles.size(); ++next) {
@@ -47,8 +47,8 @@ std::vector<Piece> pieces_of(const geometry::Mesh& mesh) {
         corners.col(k) = mesh.vertices.col(mesh.triangles(k, triangle));
         piece.box.extend(Eigen::Vector3d(corners.col(k)));
         const int other = across(k, triangle);
-        if (taken[static_cast<std::size_t>(other)]) continue;
-        taken[static_cast<std::size_t>(other)] = true;
+        if (taken[other]) continue;
+        taken[other] = true;
         piece.triangles.push_back(other);
       }
       piece.volume += (corners.colwise() - origin).determinant() / 6;

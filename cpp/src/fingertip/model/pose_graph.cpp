@@ -66,7 +66,7 @@ PoseGraph::PoseGraph(const Problem& problem, const Path& path, const Locations& 
       num_fingers(problem.fingers.count),
       problem_(problem),
       instants_(instants),
-      num_locations_(ix(locations_in.size())),
+      num_locations_(locations_in.size()),
       goal_(static_cast<int>(path.X_WO.size()) - 1),
       X_WO_(path.X_WO),
       clearance_(problem) {
@@ -122,11 +122,11 @@ void PoseGraph::add_motion(const mechanics::Vector6d& twist_O) {
 
 int PoseGraph::instant(int arc, int sample) const {
   const std::vector<int>& samples = instants(arc);
-  return samples[samples.size() == 1 ? 0 : ix(sample)];
+  return samples[samples.size() == 1 ? 0 : sample];
 }
 
 int PoseGraph::rest_instant(int pose) const {
-  int& known = rest_[ix(pose)];
+  int& known = rest_[pose];
   if (known == kUnknown) {
     known = instants_.add(resting_state(X_WO(pose), mechanics::Vector6d::Zero()));
   }
@@ -138,17 +138,15 @@ int PoseGraph::rest_instant(int pose, int next_pose) const {
   return instants_.add(resting_state(X_WO(pose), screw_between(X_WO(pose), X_WO(next_pose))));
 }
 
-void PoseGraph::block(int pose, int location) {
-  clear_[ix(pose) * num_locations_ + ix(location)] = 0;
-}
+void PoseGraph::block(int pose, int location) { clear_[pose * num_locations_ + location] = 0; }
 
 bool PoseGraph::is_arc_clear(int pose, int move, int location) const {
-  return clearance_.is_off_obstacles_along(X_WO(pose), twist_O_[ix(motion(pose, move))],
+  return clearance_.is_off_obstacles_along(X_WO(pose), twist_O_[motion(pose, move)],
                                            locations[location].center_O, options.samples_per_arc);
 }
 
 bool PoseGraph::is_free(int pose) const {
-  std::int8_t& known = free_[ix(pose)];
+  std::int8_t& known = free_[pose];
   if (known < 0) {
     const bool is_inside = touch_walls(problem_, X_WO(pose)) == Touch::inside_wall;
     known = !is_inside && clearance_.obstacle_at(X_WO(pose)).empty() ? 1 : 0;
@@ -159,7 +157,7 @@ bool PoseGraph::is_free(int pose) const {
 int PoseGraph::find_kind(int pose, int move) const {
   const int to = next(pose, move);
   if (to < 0 || !is_free(pose) || !is_free(to)) return -1;
-  const mechanics::Vector6d& twist = twist_O_[ix(motion(pose, move))];
+  const mechanics::Vector6d& twist = twist_O_[motion(pose, move)];
   const int P = options.samples_per_arc;
   if (!clearance_.obstacle_along(X_WO(pose), twist, P).empty()) return -1;
   std::vector<mechanics::BodyState> states;
@@ -172,7 +170,7 @@ int PoseGraph::find_kind(int pose, int move) const {
     states.push_back(moving_state(X_WO_j, twist));
   }
   if (touches) return add_kind(states);
-  int& on_floor = floor_kinds_[ix(motion(pose, move))];
+  int& on_floor = floor_kinds_[motion(pose, move)];
   if (on_floor == kUnknown) {
     if (is_level(problem_)) states.resize(1);  // mechanics stay the same
     on_floor = add_kind(states);
@@ -203,10 +201,10 @@ std::int64_t PoseGraph::memory() const {
 bool is_feasible(const PoseGraph& graph, int pose, const Placement& placement) {
   const int count = num_fingers(placement);
   for (int i = 0; i < count; ++i) {
-    const int a = placement[static_cast<std::size_t>(i)];
+    const int a = placement[i];
     if (!graph.is_clear(pose, a)) return false;
     for (int j = 0; j < i; ++j) {
-      if (!graph.locations.are_apart(a, placement[static_cast<std::size_t>(j)])) return false;
+      if (!graph.locations.are_apart(a, placement[j])) return false;
     }
   }
   return true;

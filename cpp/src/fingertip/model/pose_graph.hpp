@@ -37,12 +37,12 @@ class PoseGraph {
   int num_moves() const { return num_moves_; }
   int start() const { return start_; }
   int goal() const { return goal_; }
-  const Eigen::Isometry3d& X_WO(int pose) const { return X_WO_[ix(pose)]; }
+  const Eigen::Isometry3d& X_WO(int pose) const { return X_WO_[pose]; }
   Eigen::Vector3d center_W(int pose, int location) const {  // of the fingertip's sphere
     return X_WO(pose) * locations[location].center_O;
   }
   /// Number of the object's orientation, counted from 0 over ascending poses: a yaw of a lattice.
-  int turn(int pose) const { return turns_[ix(pose)]; }
+  int turn(int pose) const { return turns_[pose]; }
   /// The pose that a move leads to, or comes from; -1: there is none.
   int next(int pose, int move) const { return next_[arc(pose, move)]; }
   int previous(int pose, int move) const {  // by the opposite step in a lattice
@@ -51,12 +51,10 @@ class PoseGraph {
 
   int motion(int pose, int move) const { return turn(pose) * num_moves_ + move; }
   int num_motions() const { return static_cast<int>(twist_O_.size()); }
-  const mechanics::Vector6d& twist_O(int motion) const {
-    return twist_O_[ix(motion)];
-  }  // of an arc
+  const mechanics::Vector6d& twist_O(int motion) const { return twist_O_[motion]; }  // of an arc
   /// Displacement of a sphere's centre in one P-th of an arc [m].
   double displacement(int motion, int location) const {
-    return displacements_[ix(motion) * num_locations_ + ix(location)];
+    return displacements_[motion * num_locations_ + location];
   }
 
   /// The kind of an arc; -1: the object cannot move along it.
@@ -67,7 +65,7 @@ class PoseGraph {
   }
   int num_kinds() const { return static_cast<int>(kinds_.size()); }
   /// Instants of a kind's samples; one when all P are the same.
-  const std::vector<int>& instants(int kind) const { return kinds_[ix(kind)]; }
+  const std::vector<int>& instants(int kind) const { return kinds_[kind]; }
   int instant(int arc, int sample) const;  // of a path
   /// The object at rest while a finger regrasps. The motion to the next pose turns its friction
   /// cones, always in a path, and in a lattice where `next_pose` is given.
@@ -76,7 +74,7 @@ class PoseGraph {
 
   /// True if the sphere is clear of planes and obstacles.
   bool is_clear(int pose, int location) const {
-    std::int8_t& known = clear_[ix(pose) * num_locations_ + ix(location)];
+    std::int8_t& known = clear_[pose * num_locations_ + location];
     if (known < 0) known = clearance_.is_clear(center_W(pose, location)) ? 1 : 0;
     return known != 0;
   }
@@ -93,8 +91,9 @@ class PoseGraph {
 
  private:
   static constexpr int kUnknown = -2;
-  static std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-  std::size_t arc(int pose, int move) const { return ix(pose) * ix(num_moves_) + ix(move); }
+  std::size_t arc(int pose, int move) const {
+    return static_cast<std::size_t>(pose) * num_moves_ + move;
+  }
   void add_motion(const mechanics::Vector6d& twist_O);
   void make_clearance_table();
   void keep_to_start();

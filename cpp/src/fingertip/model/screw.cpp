@@ -10,6 +10,7 @@
 #include <string>
 
 #include "graspless/fingertip/problem.hpp"
+#include "graspless/geometry/pose.hpp"
 
 #include "text.hpp"
 
@@ -87,6 +88,7 @@ mechanics::BodyState resting_state(const Eigen::Isometry3d& X_WO, const Vector6d
 
 Path slide_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& translation_W,
                 int segments) {
+  geometry::require_pose(X_WO_start, "X_WO_start");
   require_segments(segments);
   if (!(translation_W.allFinite() && translation_W.norm() > 0)) {
     throw std::invalid_argument("translation_W must be finite and not zero");
@@ -102,6 +104,7 @@ Path slide_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& tran
 
 Path turn_path(const Eigen::Isometry3d& X_WO_start, const Eigen::Vector3d& point_W,
                const Eigen::Vector3d& axis_W, double angle, int segments) {
+  geometry::require_pose(X_WO_start, "X_WO_start");
   require_segments(segments);
   if (!(axis_W.allFinite() && axis_W.norm() > 0 && point_W.allFinite())) {
     throw std::invalid_argument("axis_W must be finite and not zero, and point_W finite");

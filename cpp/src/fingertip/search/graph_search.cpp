@@ -179,7 +179,7 @@ class GraphSearchRun {
     const int layer = num_layers_ == 0 ? 0 : layer_ + 1;
     if (num_layers_ > 0 && layer == num_layers_) return;
     for (int i = 0; i < graph_.num_fingers; ++i) {
-      const Placement kept = without(node.placement, node.placement[static_cast<std::size_t>(i)]);
+      const Placement kept = without(node.placement, node.placement[i]);
       if (excluded_.count({node.pose, kept}) > 0) continue;
       reach({node.pose, kept}, layer, from.code, from.g + X_regr_);
     }
@@ -238,9 +238,8 @@ std::optional<Hub> unstable_regrasp(const PoseGraph& graph, Evaluator& evaluator
   for (std::size_t i = route.nodes.size(); i-- > 1;) {
     const Node &before = route.nodes[i - 1], &node = route.nodes[i];
     if (before.pose != node.pose) continue;
-    const auto next =
-        std::find_if(route.nodes.begin() + static_cast<std::ptrdiff_t>(i), route.nodes.end(),
-                     [&](const Node& later) { return later.pose != node.pose; });
+    const auto next = std::find_if(route.nodes.begin() + i, route.nodes.end(),
+                                   [&](const Node& later) { return later.pose != node.pose; });
     if (next == route.nodes.end()) continue;
     Placement kept = before.placement;
     for (const std::int32_t finger : before.placement) {

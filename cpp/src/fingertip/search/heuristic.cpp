@@ -17,12 +17,10 @@ constexpr double kSamePoint = 1e-12;  // [m]
 constexpr double kSlack = 1 - 1e-12;  // of lower bounds, for rounding
 constexpr int kParts = 64;            // buckets that the longest arc spans
 
-std::size_t ix(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 RemainingDistance::RemainingDistance(const PoseGraph& graph)
-    : graph_(graph), tables_(ix(graph.locations.size())) {
+    : graph_(graph), tables_(graph.locations.size()) {
   // On the floor only the plan view of a sphere's centre matters.
   const auto in_plan = [&](int location) -> Eigen::Vector2d {
     return graph.center_W(graph.start(), location).head<2>();
@@ -35,7 +33,7 @@ RemainingDistance::RemainingDistance(const PoseGraph& graph)
   }
   for (int pose = 0; pose < graph.num_poses(); ++pose) {
     origins_W_.push_back(graph.X_WO(pose).translation());
-    if (ix(graph.turn(pose)) == pose_of_turn_.size()) pose_of_turn_.push_back(pose);
+    if (graph.turn(pose) == static_cast<int>(pose_of_turn_.size())) pose_of_turn_.push_back(pose);
   }
 }
 
@@ -50,13 +48,13 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
     arcs.push_back(graph_.options.samples_per_arc * graph_.displacement(motion, location));
   }
   geometry::BucketQueue queue(*std::max_element(arcs.begin(), arcs.end()) / kParts);
-  std::vector<double> distances(ix(graph_.num_poses()), kInfinity);
+  std::vector<double> distances(graph_.num_poses(), kInfinity);
   const auto push = [&](int pose, double distance) {
-    double& known = distances[ix(pose)];
+    double& known = distances[pose];
     if (distance >= known) return;
     // Pairs below the limit before are below it at a smaller distance, too.
     if (known == kInfinity) {
-      const Eigen::Vector3d center_W = centers_W[ix(graph_.turn(pose))] + origins_W_[ix(pose)];
+      const Eigen::Vector3d center_W = centers_W[graph_.turn(pose)] + origins_W_[pose];
       const double straight = (center_W - start_W).norm() * kSlack;
       if (distance + straight >= limit) return;
     }
@@ -68,10 +66,10 @@ std::vector<double> RemainingDistance::search(int location, double limit) {
   while (queue.pop(item)) {
     poll();
     const int pose = item.vertex;
-    if (item.key > distances[ix(pose)] || !graph_.is_free(pose)) continue;
+    if (item.key > distances[pose] || !graph_.is_free(pose)) continue;
     for (int move = 0; move < graph_.num_moves(); ++move) {
       const int from = graph_.previous(pose, move);
-      if (from >= 0) push(from, item.key + arcs[ix(graph_.motion(from, move))]);
+      if (from >= 0) push(from, item.key + arcs[graph_.motion(from, move)]);
     }
   }
   return distances;
@@ -90,7 +88,7 @@ double Heuristic::operator()(const Node& node) const {
   int n_regr = 0;
   double displacement = 0;  // max_i |Delta q*_i|
   for (int i = 0; i < num_fingers(node.placement); ++i) {
-    const int l = node.placement[ix(i)];
+    const int l = node.placement[i];
     if (!graph_.is_clear(graph_.goal(), l)) ++n_regr;
     displacement = std::max(displacement, remaining_.to_goal(l)[node.pose]);
   }

@@ -20,8 +20,8 @@ class RemainingDistance {
   /// Distances from all poses [m]; infinite where a route from the start over that pose costs
   /// `limit` or more. Limits may only fall from call to call.
   const double* to_goal(int location, double limit = std::numeric_limits<double>::infinity()) {
-    const int representative = table_of_[static_cast<std::size_t>(location)];
-    std::vector<double>& table = tables_[static_cast<std::size_t>(representative)];
+    const int representative = table_of_[location];
+    std::vector<double>& table = tables_[representative];
     if (table.empty()) table = search(representative, limit);
     return table.data();
   }

@@ -34,7 +34,7 @@ class NodeCode {
     std::uint64_t code =
         static_cast<std::uint64_t>(node.pose) * layers_ + static_cast<std::uint64_t>(layer);
     for (int i = 0; i < num_fingers_; ++i) {
-      const std::int32_t location = node.placement[static_cast<std::size_t>(i)];
+      const std::int32_t location = node.placement[i];
       code = code * base_ + static_cast<std::uint64_t>(location + 1);
     }
     return code;
@@ -43,7 +43,7 @@ class NodeCode {
   Node unpack(std::uint64_t code, int* layer) const {
     Node node{0, kNoFingers};
     for (int i = num_fingers_; i-- > 0; code /= base_) {
-      node.placement[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(code % base_) - 1;
+      node.placement[i] = static_cast<std::int32_t>(code % base_) - 1;
     }
     *layer = static_cast<int>(code % layers_);
     node.pose = static_cast<int>(code / layers_);
@@ -83,7 +83,6 @@ class NodeTable {
     if (is_new && 2 * ++size_ > entries_.size()) grow();
     return true;
   }
-  std::size_t size() const { return size_; }
   std::size_t memory() const { return entries_.size() * sizeof(Entry); }  // [bytes]
 
  private:

@@ -86,9 +86,9 @@ struct Filtration::Data {
       pairs = reduce().pairs();
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Reduction::Ends ends = reduction->ends(static_cast<int>(i));
-        const int edge = ranking->edge[static_cast<std::size_t>(ends.edge)];
-        pairs[i].closing = simplices.edges[static_cast<std::size_t>(edge)];
-        pairs[i].filling = simplices.triangles[static_cast<std::size_t>(ends.triangle)].vertices;
+        const int edge = ranking->edge[ends.edge];
+        pairs[i].closing = simplices.edges[edge];
+        pairs[i].filling = simplices.triangles[ends.triangle].vertices;
       }
     });
     return pairs;
@@ -104,40 +104,39 @@ struct Filtration::Data {
     spanned([this] { span_tree(); });
     double longest = 0;
     while (a != b) {
-      int& deeper = tree[index(a)].depth >= tree[index(b)].depth ? a : b;
-      longest = std::max(longest, tree[index(deeper)].length);
-      deeper = tree[index(deeper)].vertex;
+      int& deeper = tree[a].depth >= tree[b].depth ? a : b;
+      longest = std::max(longest, tree[deeper].length);
+      deeper = tree[deeper].vertex;
     }
     return longest;
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void span_tree() const {
-    const auto n = index(static_cast<int>(points.cols()));
+    const auto n = static_cast<int>(points.cols());
     std::vector<std::vector<std::pair<int, double>>> near(n);
     for (std::size_t r = 0; r < ranking->lengths.size(); ++r) {
       if (ranking->makes_loop[r]) continue;
-      const auto [a, b] = simplices.edges[index(ranking->edge[r])];
-      near[index(a)].emplace_back(b, ranking->lengths[r]);
-      near[index(b)].emplace_back(a, ranking->lengths[r]);
+      const auto [a, b] = simplices.edges[ranking->edge[r]];
+      near[a].emplace_back(b, ranking->lengths[r]);
+      near[b].emplace_back(a, ranking->lengths[r]);
     }
     tree.resize(n);
     std::vector<char> is_known(n);
     std::vector<int> open;
     Pulse pulse;
-    for (std::size_t root = 0; root < n; ++root) {
+    for (int root = 0; root < n; ++root) {
       pulse();
       if (is_known[root]) continue;
       is_known[root] = 1;
-      open.push_back(static_cast<int>(root));
+      open.push_back(root);
       while (!open.empty()) {
         const int from = open.back();
         open.pop_back();
-        for (const auto& [to, length] : near[index(from)]) {
-          if (is_known[index(to)]) continue;
-          is_known[index(to)] = 1;
-          tree[index(to)] = {from, tree[index(from)].depth + 1, length};
+        for (const auto& [to, length] : near[from]) {
+          if (is_known[to]) continue;
+          is_known[to] = 1;
+          tree[to] = {from, tree[from].depth + 1, length};
           open.push_back(to);
         }
       }
@@ -237,12 +236,12 @@ PersistencePair Filtration::span(const std::vector<int>& cycle, double max_edge_
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     const int a = cycle[i], b = cycle[(i + 1) % cycle.size()];
     const int edge = data_->edge(a, b);
-    if (edge < 0 || !(data_->simplices.lengths[static_cast<std::size_t>(edge)] < max_edge_length)) {
+    if (edge < 0 || !(data_->simplices.lengths[edge] < max_edge_length)) {
       throw std::invalid_argument("cycle goes from point " + std::to_string(a) + " to " +
                                   std::to_string(b) + ", which is no edge shorter than " +
                                   figure(max_edge_length) + " m");
     }
-    edges.push_back(rank[static_cast<std::size_t>(edge)]);
+    edges.push_back(rank[edge]);
   }
   return data_->reduce().span(edges, max_edge_length);
 }

@@ -51,7 +51,7 @@ double shift(const Eigen::Vector3d& p, std::uint64_t axis) {
 
 std::vector<Point> perturbed(const Eigen::Matrix3Xd& points) {
   std::vector<Point> result;
-  result.reserve(static_cast<std::size_t>(points.cols()));
+  result.reserve(points.cols());
   const double scale =
       kShift * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
   for (const auto& column : points.colwise()) {
@@ -115,7 +115,7 @@ Delaunay delaunay(const Eigen::Matrix3Xd& points) {
       if (beyond > cell->info()) continue;  // listed from the other side
       std::array<int, 3> v{};
       for (int k = 0; k < 3; ++k) {
-        v[static_cast<std::size_t>(k)] = cell->vertex((i + 1 + k) & 3)->info();
+        v[k] = cell->vertex((i + 1 + k) & 3)->info();
       }
       if (v[0] > v[1]) std::swap(v[0], v[1]);
       if (v[1] > v[2]) std::swap(v[1], v[2]);

@@ -20,8 +20,8 @@ std::vector<int> by_longest(const std::vector<Ranking::Triangle>& triangles, std
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<int> order(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    int& place = next[static_cast<std::size_t>(triangles[i].longest)];
-    order[static_cast<std::size_t>(place++)] = static_cast<int>(i);
+    int& place = next[triangles[i].longest];
+    order[place++] = static_cast<int>(i);
   }
   return order;
 }
@@ -33,7 +33,7 @@ void mark_fillings(const Simplices& simplices, const std::vector<int>& order, Ra
   Pulse pulse;
   for (std::size_t i = order.size(); i-- > 0;) {
     pulse();
-    const auto [one, other] = simplices.triangles[static_cast<std::size_t>(order[i])].regions;
+    const auto [one, other] = simplices.triangles[order[i]].regions;
     out.triangles[i].fills_loop = !regions.join(one, other);
   }
 }
@@ -63,7 +63,7 @@ Ranking ranking(const Simplices& simplices) {
     pulse();
     std::array<int, 3> r{};
     for (std::size_t k : {0u, 1u, 2u}) {
-      r[k] = result.rank[static_cast<std::size_t>(triangle.edges[k])];
+      r[k] = result.rank[triangle.edges[k]];
     }
     const auto longest = std::max_element(r.begin(), r.end());
     std::iter_swap(longest, r.end() - 1);
@@ -71,7 +71,7 @@ Ranking ranking(const Simplices& simplices) {
   }
   const std::vector<int> entering = by_longest(triangles, order.size());
   result.triangles.reserve(triangles.size());
-  for (const int i : entering) result.triangles.push_back(triangles[static_cast<std::size_t>(i)]);
+  for (const int i : entering) result.triangles.push_back(triangles[i]);
   mark_fillings(simplices, entering, result);
   return result;
 }

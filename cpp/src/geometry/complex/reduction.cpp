@@ -48,15 +48,15 @@ Reduction::Reduction(Ranking ranking) : ranking_(std::move(ranking)) {
 }
 
 void Reduction::add_column(int triangle) {
-  const Ranking::Triangle& boundary = ranking_.triangles[static_cast<std::size_t>(triangle)];
-  Column* column = &columns_[static_cast<std::size_t>(boundary.longest)];
+  const Ranking::Triangle& boundary = ranking_.triangles[triangle];
+  Column* column = &columns_[boundary.longest];
   const int begin = static_cast<int>(entries_.size());
   if (column->triangle < 0) {  // first column with this pivot: already reduced
     entries_.insert(entries_.end(), boundary.others.begin(), boundary.others.end());
   } else {
     std::vector<int> heap{boundary.longest, boundary.others[0], boundary.others[1]};
     std::make_heap(heap.begin(), heap.end());
-    column = &columns_[static_cast<std::size_t>(reduce(heap, triangle).pivot)];
+    column = &columns_[reduce(heap, triangle).pivot];
     for (int edge = pop_pivot(heap); edge >= 0; edge = pop_pivot(heap)) entries_.push_back(edge);
   }
   *column = {triangle, begin, static_cast<int>(entries_.size())};
@@ -67,11 +67,11 @@ Reduction::Remainder Reduction::reduce(std::vector<int>& heap, int end_triangle)
   Pulse pulse;
   while ((result.pivot = pop_pivot(heap)) >= 0) {
     pulse();
-    const Column& column = columns_[static_cast<std::size_t>(result.pivot)];
+    const Column& column = columns_[result.pivot];
     if (column.triangle < 0 || column.triangle >= end_triangle) break;
     result.last_triangle = std::max(result.last_triangle, column.triangle);
     for (int i = column.begin; i < column.end; ++i) {
-      push(heap, entries_[static_cast<std::size_t>(i)]);
+      push(heap, entries_[i]);
     }
   }
   return result;
@@ -82,9 +82,9 @@ void Reduction::collect_pairs() {
   for (std::size_t pivot = 0; pivot < columns_.size(); ++pivot) {
     pulse();
     if (columns_[pivot].triangle < 0) continue;
-    const auto& filling = ranking_.triangles[static_cast<std::size_t>(columns_[pivot].triangle)];
+    const auto& filling = ranking_.triangles[columns_[pivot].triangle];
     const double birth = ranking_.lengths[pivot];
-    const double death = ranking_.lengths[static_cast<std::size_t>(filling.longest)];
+    const double death = ranking_.lengths[filling.longest];
     if (!(birth < death)) continue;
     pairs_.push_back({birth, death});
     pivots_.push_back(static_cast<int>(pivot));
@@ -106,9 +106,9 @@ void Reduction::collect_pairs() {
 }
 
 Reduction::Ends Reduction::ends(int pair) const {
-  const int pivot = pivots_[static_cast<std::size_t>(pair)];
-  const int column = columns_[static_cast<std::size_t>(pivot)].triangle;
-  return {pivot, ranking_.triangles[static_cast<std::size_t>(column)].simplex};
+  const int pivot = pivots_[pair];
+  const int column = columns_[pivot].triangle;
+  return {pivot, ranking_.triangles[column].simplex};
 }
 
 /// An edge that connects two pieces has no label. Any other edge closes the cycle of its reduced
@@ -121,7 +121,7 @@ std::vector<std::uint64_t> Reduction::labels(double max_edge_length,
   const auto width = static_cast<std::size_t>(words);
   std::vector<std::uint64_t> labels(num_edges * width);
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const auto pivot = static_cast<std::size_t>(pivots_[static_cast<std::size_t>(classes[i])]);
+    const auto pivot = static_cast<std::size_t>(pivots_[classes[i]]);
     labels[pivot * width + i / 64] |= std::uint64_t{1} << (i % 64);
   }
   Pulse pulse;
@@ -129,7 +129,7 @@ std::vector<std::uint64_t> Reduction::labels(double max_edge_length,
     pulse();
     const Column& column = columns_[e];
     for (int i = column.begin; i < column.end; ++i) {
-      const auto other = static_cast<std::size_t>(entries_[static_cast<std::size_t>(i)]);
+      const auto other = static_cast<std::size_t>(entries_[i]);
       for (std::size_t w = 0; w < width; ++w) labels[e * width + w] ^= labels[other * width + w];
     }
   }
@@ -137,9 +137,7 @@ std::vector<std::uint64_t> Reduction::labels(double max_edge_length,
 }
 
 PersistencePair Reduction::span(const std::vector<int>& cycle, double max_edge_length) const {
-  const auto length = [&](int edge) {
-    return edge < 0 ? 0 : ranking_.lengths[static_cast<std::size_t>(edge)];
-  };
+  const auto length = [&](int edge) { return edge < 0 ? 0 : ranking_.lengths[edge]; };
   const auto entered = std::partition_point(ranking_.triangles.begin(), ranking_.triangles.end(),
                                             [&](const Ranking::Triangle& triangle) {
                                               return length(triangle.longest) < max_edge_length;
@@ -150,8 +148,7 @@ PersistencePair Reduction::span(const std::vector<int>& cycle, double max_edge_l
   if (before.pivot >= 0) push(heap, before.pivot);
   const Remainder after = reduce(heap, static_cast<int>(ranking_.triangles.size()));
   const int last = before.pivot < 0 ? before.last_triangle : after.last_triangle;
-  const double death =
-      last < 0 ? 0 : length(ranking_.triangles[static_cast<std::size_t>(last)].longest);
+  const double death = last < 0 ? 0 : length(ranking_.triangles[last].longest);
   return {before.pivot < 0 ? death : length(before.pivot), death};
 }
 

@@ -22,15 +22,15 @@ std::vector<int> starts(std::vector<int> counts) {
 /// Sorts lexicographically: buckets by the first vertex, then each bucket.
 std::vector<Facet> sorted(const std::vector<Facet>& facets, std::size_t n) {
   std::vector<int> counts(n + 1);
-  for (const Facet& facet : facets) ++counts[static_cast<std::size_t>(facet.vertices[0])];
+  for (const Facet& facet : facets) ++counts[facet.vertices[0]];
   const std::vector<int> begin = starts(std::move(counts));
   std::vector<int> next = begin;
   std::vector<Facet> result(facets.size());
   Pulse pulse;
   for (const Facet& facet : facets) {
     pulse();
-    int& place = next[static_cast<std::size_t>(facet.vertices[0])];
-    result[static_cast<std::size_t>(place++)] = facet;
+    int& place = next[facet.vertices[0]];
+    result[place++] = facet;
   }
   for (std::size_t a = 0; a < n; ++a) {
     pulse();
@@ -47,14 +47,12 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
   Pulse pulse;
   for (const Facet& facet : facets) {
     pulse();
-    counts[static_cast<std::size_t>(facet.vertices[0])] += 2;
-    counts[static_cast<std::size_t>(facet.vertices[1])] += 1;
+    counts[facet.vertices[0]] += 2;
+    counts[facet.vertices[1]] += 1;
   }
   const std::vector<int> begin = starts(std::move(counts));
   std::vector<int> next = begin, larger(3 * facets.size());
-  const auto put = [&](int a, int b) {
-    larger[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
-  };
+  const auto put = [&](int a, int b) { larger[next[a]++] = b; };
   for (const Facet& facet : facets) {
     pulse();
     const auto [a, b, c] = facet.vertices;
@@ -68,8 +66,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
     pulse();
     const auto first = larger.begin() + begin[a];
     const auto end = std::remove_if(first, larger.begin() + begin[a + 1], [&](int b) {
-      return std::exchange(last_end_of[static_cast<std::size_t>(b)], static_cast<int>(a)) ==
-             static_cast<int>(a);
+      return std::exchange(last_end_of[b], static_cast<int>(a)) == static_cast<int>(a);
     });
     std::sort(first, end);
     for (auto b = first; b != end; ++b) out.edges.push_back({static_cast<int>(a), *b});
@@ -81,7 +78,7 @@ void collect_edges(const std::vector<Facet>& facets, std::size_t n, Simplices& o
 
 int Simplices::edge(int a, int b) const {
   if (a > b) std::swap(a, b);
-  const auto begin = edges.begin() + first_edge[static_cast<std::size_t>(a)];
+  const auto begin = edges.begin() + first_edge[a];
   const auto end = edges.begin() + first_edge[static_cast<std::size_t>(a) + 1];
   const auto found = std::lower_bound(begin, end, b, [](const auto& e, int v) { return e[1] < v; });
   return found != end && (*found)[1] == b ? static_cast<int>(found - edges.begin()) : -1;
@@ -111,14 +108,12 @@ Simplices simplices(const Eigen::Matrix3Xd& points, const Delaunay& delaunay) {
     if (a != first) {
       first = a;
       const int end = result.first_edge[static_cast<std::size_t>(a) + 1];
-      for (int e = result.first_edge[static_cast<std::size_t>(a)]; e < end; ++e)
-        edge_to[static_cast<std::size_t>(result.edges[static_cast<std::size_t>(e)][1])] = e;
+      for (int e = result.first_edge[a]; e < end; ++e) edge_to[result.edges[e][1]] = e;
     }
-    const std::array<int, 3> edges{edge_to[static_cast<std::size_t>(b)],
-                                   edge_to[static_cast<std::size_t>(c)], result.edge(b, c)};
+    const std::array<int, 3> edges{edge_to[b], edge_to[c], result.edge(b, c)};
     double longest = 0;
     for (const int e : edges) {
-      longest = std::max(longest, result.lengths[static_cast<std::size_t>(e)]);
+      longest = std::max(longest, result.lengths[e]);
     }
     result.triangles.push_back({facet.vertices, edges, facet.regions, longest});
   }

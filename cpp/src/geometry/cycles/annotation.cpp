@@ -32,11 +32,11 @@ class LabelPropagation {
  public:
   LabelPropagation(const Complex& complex, const EdgeGraph& graph) : graph_(graph) {
     list_triangles(complex);
-    known_.assign(static_cast<std::size_t>(graph.num_edges()), Known::no);
+    known_.assign(graph.num_edges(), Known::no);
     value_.resize(known_.size());
     grow_forest();
     for (const int edge : by_cycle_length()) {
-      if (known_[index(edge)] != Known::no) continue;
+      if (known_[edge] != Known::no) continue;
       assign(edge, {num_symbols_++});
       propagate();
     }
@@ -47,44 +47,40 @@ class LabelPropagation {
   const std::vector<Symbols>& relations() const { return relations_; }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
   void list_triangles(const Complex& complex) {
-    triangles_.resize(index(static_cast<int>(complex.triangles.cols())));
-    first_.assign(index(graph_.num_edges()) + 1, 0);
-    std::vector<int> edge_to(index(graph_.num_vertices()));
+    triangles_.resize(complex.triangles.cols());
+    first_.assign(graph_.num_edges() + 1, 0);
+    std::vector<int> edge_to(graph_.num_vertices());
     int first = -1;
     Pulse pulse;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       pulse();
-      const auto corner = complex.triangles.col(static_cast<Eigen::Index>(t));
+      const auto corner = complex.triangles.col(t);
       if (corner[0] != first) {  // triangles with the same first corner follow each other
         first = corner[0];
-        for (const EdgeGraph::Arc& arc : graph_.arcs(first)) edge_to[index(arc.to)] = arc.edge;
+        for (const EdgeGraph::Arc& arc : graph_.arcs(first)) edge_to[arc.to] = arc.edge;
       }
-      triangles_[t] = {edge_to[index(corner[1])], edge_to[index(corner[2])],
-                       graph_.edge(corner[1], corner[2])};
-      for (const int edge : triangles_[t]) ++first_[index(edge) + 1];
+      triangles_[t] = {edge_to[corner[1]], edge_to[corner[2]], graph_.edge(corner[1], corner[2])};
+      for (const int edge : triangles_[t]) ++first_[edge + 1];
     }
     for (std::size_t e = 1; e < first_.size(); ++e) first_[e] += first_[e - 1];
     std::vector<int> next(first_.begin(), first_.end() - 1);
     cofaces_.resize(3 * triangles_.size());
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (const int edge : triangles_[t])
-        cofaces_[index(next[index(edge)]++)] = static_cast<int>(t);
+      for (const int edge : triangles_[t]) cofaces_[next[edge]++] = static_cast<int>(t);
     }
   }
 
   void grow_forest() {
     ShortestPaths paths(graph_);
-    depth_.assign(index(graph_.num_vertices()), -1);
+    depth_.assign(graph_.num_vertices(), -1);
     for (int root = 0; root < graph_.num_vertices(); ++root) {
-      if (depth_[index(root)] >= 0) continue;
+      if (depth_[root] >= 0) continue;
       paths.start(root, std::numeric_limits<double>::infinity());
       Pulse pulse;
       for (int v = root; (v = paths.next()) >= 0;) {
         pulse();
-        depth_[index(v)] = paths.distance(v);
+        depth_[v] = paths.distance(v);
         paths.expand(v);
         if (paths.via(v) >= 0) assign(paths.via(v), {});
       }
@@ -99,8 +95,7 @@ class LabelPropagation {
     for (int e = 0; e < graph_.num_edges(); ++e) {
       pulse();
       const auto [a, b] = graph_.ends(e);
-      if (known_[index(e)] == Known::no)
-        order.emplace_back(depth_[index(a)] + depth_[index(b)] + graph_.length(e), e);
+      if (known_[e] == Known::no) order.emplace_back(depth_[a] + depth_[b] + graph_.length(e), e);
     }
     std::sort(order.begin(), order.end());
     std::vector<int> edges;
@@ -109,8 +104,8 @@ class LabelPropagation {
   }
 
   void assign(int edge, Symbols value) {
-    known_[index(edge)] = value.empty() ? Known::zero : Known::value;
-    if (!value.empty()) value_[index(edge)] = std::move(value);
+    known_[edge] = value.empty() ? Known::zero : Known::value;
+    if (!value.empty()) value_[edge] = std::move(value);
     queue_.push_back(edge);
   }
 
@@ -120,8 +115,7 @@ class LabelPropagation {
       pulse();
       const int edge = queue_.back();
       queue_.pop_back();
-      for (int i = first_[index(edge)]; i < first_[index(edge) + 1]; ++i)
-        visit(triangles_[index(cofaces_[index(i)])]);
+      for (int i = first_[edge]; i < first_[edge + 1]; ++i) visit(triangles_[cofaces_[i]]);
     }
   }
 
@@ -129,17 +123,17 @@ class LabelPropagation {
     int unknown = -1, num_unknown = 0;
     bool is_empty = true;
     for (const int edge : edges) {
-      if (known_[index(edge)] == Known::no) {
+      if (known_[edge] == Known::no) {
         unknown = edge;
         ++num_unknown;
       } else {
-        is_empty = is_empty && known_[index(edge)] == Known::zero;
+        is_empty = is_empty && known_[edge] == Known::zero;
       }
     }
     if (num_unknown > 1 || (num_unknown == 0 && is_empty)) return;
     Symbols total;
     for (const int edge : edges) {
-      if (known_[index(edge)] == Known::value) total = sum(total, value_[index(edge)]);
+      if (known_[edge] == Known::value) total = sum(total, value_[edge]);
     }
     if (num_unknown == 1) {
       assign(unknown, std::move(total));
@@ -198,10 +192,10 @@ Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
   const Relations relations(labels.relations());
   num_classes_ = labels.num_symbols() - relations.size();
   words_ = std::max(1, (num_classes_ + 63) / 64);
-  std::vector<int> bit(static_cast<std::size_t>(labels.num_symbols()), -1);
+  std::vector<int> bit(labels.num_symbols(), -1);
   int next = 0;
   for (int symbol = 0; symbol < labels.num_symbols(); ++symbol) {
-    if (!relations.eliminates(symbol)) bit[static_cast<std::size_t>(symbol)] = next++;
+    if (!relations.eliminates(symbol)) bit[symbol] = next++;
   }
   bits_.assign(labels.values().size() * static_cast<std::size_t>(words_), 0);
   Pulse pulse;
@@ -209,7 +203,7 @@ Annotation::Annotation(const Complex& complex, const EdgeGraph& graph) {
     pulse();
     if (labels.values()[e].empty()) continue;
     for (const int symbol : relations.reduced(labels.values()[e])) {
-      const auto b = static_cast<std::size_t>(bit[static_cast<std::size_t>(symbol)]);
+      const auto b = static_cast<std::size_t>(bit[symbol]);
       bits_[e * static_cast<std::size_t>(words_) + b / 64] |= Word{1} << (b % 64);
     }
   }

@@ -29,7 +29,7 @@ class Annotation {
   const Word* of(int edge) const {
     return bits_.data() + static_cast<std::size_t>(edge) * static_cast<std::size_t>(words_);
   }
-  bool is_zero(int edge) const { return is_zero_[static_cast<std::size_t>(edge)]; }
+  bool is_zero(int edge) const { return is_zero_[edge]; }
 
  private:
   void find_zeros();

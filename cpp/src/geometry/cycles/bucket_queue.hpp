@@ -43,7 +43,7 @@ class BucketQueue {
       if (end_ > heads_.size()) heads_.resize(end_ + end_ / 2, kNone);
     }
     const int place = free_place();
-    entries_[static_cast<std::size_t>(place)] = {item, heads_[b]};
+    entries_[place] = {item, heads_[b]};
     heads_[b] = place;
   }
 
@@ -76,7 +76,7 @@ class BucketQueue {
       return static_cast<int>(entries_.size()) - 1;
     }
     const int place = free_;
-    free_ = entries_[static_cast<std::size_t>(place)].next;
+    free_ = entries_[place].next;
     return place;
   }
 
@@ -86,7 +86,7 @@ class BucketQueue {
     is_sorted_ = first_ < end_;
     if (!is_sorted_) return false;
     for (int place = heads_[first_]; place != kNone;) {
-      Entry& entry = entries_[static_cast<std::size_t>(place)];
+      Entry& entry = entries_[place];
       lowest_.push_back(entry.item);
       const int next = entry.next;
       entry.next = free_;

@@ -9,7 +9,7 @@ namespace graspless::geometry {
 /// Index of the highest bit, or -1 for zero.
 int CycleBasis::lead(const std::vector<Word>& cls) const {
   for (int w = words_ - 1; w >= 0; --w) {
-    const Word word = cls[static_cast<std::size_t>(w)];
+    const Word word = cls[w];
     if (word != 0) return 64 * w + 63 - __builtin_clzll(word);
   }
   return -1;
@@ -19,7 +19,7 @@ int CycleBasis::lead(const std::vector<Word>& cls) const {
 bool CycleBasis::depends(std::vector<Word>& cls, std::size_t count) const {
   for (std::size_t i = 0; i < count; ++i) {
     const Row& row = rows_[i];
-    const bool has_lead = (cls[static_cast<std::size_t>(row.lead / 64)] >> (row.lead % 64)) & 1;
+    const bool has_lead = (cls[row.lead / 64] >> (row.lead % 64)) & 1;
     if (!has_lead) continue;
     for (std::size_t w = 0; w < cls.size(); ++w) cls[w] ^= row.bits[w];
   }
@@ -39,7 +39,7 @@ double CycleBasis::bound(const Word* cls) const {
   double longest = 0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Row& row = rows_[i];
-    if (!((scratch_[static_cast<std::size_t>(row.lead / 64)] >> (row.lead % 64)) & 1)) continue;
+    if (!((scratch_[row.lead / 64] >> (row.lead % 64)) & 1)) continue;
     for (std::size_t w = 0; w < scratch_.size(); ++w) scratch_[w] ^= row.bits[w];
     longest = members_[i].length;
   }
@@ -63,7 +63,7 @@ void CycleBasis::make_rows(std::size_t first) {
   for (std::size_t i = first; i < members_.size();) {
     std::vector<Word> rest = members_[i].cls;
     if (depends(rest, rows_.size())) {
-      members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(i));
+      members_.erase(members_.begin() + i);
       continue;
     }
     const int bit = lead(rest);

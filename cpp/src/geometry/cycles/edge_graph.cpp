@@ -34,7 +34,7 @@ EdgeGraph::EdgeGraph(const Complex& complex, const EdgeWeight& weight)
   last_.assign(first_.begin(), first_.end() - 1);
   arcs_.resize(2 * count);
   const auto add = [&](int from, int to, std::size_t e) {
-    const auto place = static_cast<std::size_t>(last_[static_cast<std::size_t>(from)]++);
+    const auto place = static_cast<std::size_t>(last_[from]++);
     arcs_[place] = {to, static_cast<int>(e), lengths_[e]};
   };
   for (std::size_t e = 0; e < count; ++e) {
@@ -63,8 +63,8 @@ double EdgeGraph::narrow() const {
 int EdgeGraph::edge(int a, int b) const {
   const auto [smaller, larger] = std::minmax(a, b);
   const int end = first_edge_[static_cast<std::size_t>(smaller) + 1];
-  for (int e = first_edge_[static_cast<std::size_t>(smaller)]; e < end; ++e) {
-    if (ends_[static_cast<std::size_t>(e)].b == larger) return e;
+  for (int e = first_edge_[smaller]; e < end; ++e) {
+    if (ends_[e].b == larger) return e;
   }
   return -1;
 }
@@ -76,7 +76,7 @@ void EdgeGraph::remove(int vertex) {
     std::swap(*std::find_if(first, last, [&](const Arc& back) { return back.to == vertex; }),
               *(last - 1));
   }
-  last_[static_cast<std::size_t>(vertex)] = first_[static_cast<std::size_t>(vertex)];
+  last_[vertex] = first_[vertex];
 }
 
 }  // namespace graspless::geometry

@@ -42,8 +42,8 @@ class EdgeGraph {
   struct Ends {
     int a, b;
   };
-  Ends ends(int edge) const { return ends_[static_cast<std::size_t>(edge)]; }
-  double length(int edge) const { return lengths_[static_cast<std::size_t>(edge)]; }
+  Ends ends(int edge) const { return ends_[edge]; }
+  double length(int edge) const { return lengths_[edge]; }
   /// Width of buckets of distances that hold few vertices each [m].
   double bucket_width() const { return bucket_width_; }
   /// Index of the edge between two vertices, or -1.

@@ -17,7 +17,7 @@ constexpr double kOverSum = 1 + 1e-9;  // for rounded sums of lengths
 RootedCycles::RootedCycles(const EdgeGraph& graph, const Annotation& annotation)
     : annotation_(annotation),
       paths_(graph),
-      words_(static_cast<std::size_t>(annotation.words())),
+      words_(annotation.words()),
       path_classes_(words_ == 1 ? 0 : static_cast<std::size_t>(graph.num_vertices()) * words_),
       sum_(words_) {}
 

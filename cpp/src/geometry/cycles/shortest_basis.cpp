@@ -18,30 +18,29 @@ namespace {
 /// A greedy vertex cover of the edges with nonzero labels. Every nontrivial cycle runs through one
 /// of its vertices.
 std::vector<int> roots(const EdgeGraph& graph, const Annotation& annotation) {
-  std::vector<char> is_open(static_cast<std::size_t>(graph.num_edges()));
-  std::vector<int> degree(static_cast<std::size_t>(graph.num_vertices()), 0);
+  std::vector<char> is_open(graph.num_edges());
+  std::vector<int> degree(graph.num_vertices(), 0);
   for (int e = 0; e < graph.num_edges(); ++e) {
     if (annotation.is_zero(e)) continue;
-    is_open[static_cast<std::size_t>(e)] = 1;
-    ++degree[static_cast<std::size_t>(graph.ends(e).a)];
-    ++degree[static_cast<std::size_t>(graph.ends(e).b)];
+    is_open[e] = 1;
+    ++degree[graph.ends(e).a];
+    ++degree[graph.ends(e).b];
   }
   std::priority_queue<std::pair<int, int>> queue;  // (degree, -vertex)
-  for (int v = 0; v < graph.num_vertices(); ++v)
-    queue.push({degree[static_cast<std::size_t>(v)], -v});
+  for (int v = 0; v < graph.num_vertices(); ++v) queue.push({degree[v], -v});
   std::vector<int> cover;
   while (!queue.empty() && queue.top().first > 0) {
     poll();
     const auto [count, vertex] = std::pair(queue.top().first, -queue.top().second);
     queue.pop();
-    if (count != degree[static_cast<std::size_t>(vertex)]) continue;  // outdated entry
+    if (count != degree[vertex]) continue;  // outdated entry
     cover.push_back(vertex);
     for (const EdgeGraph::Arc& arc : graph.arcs(vertex)) {
-      char& open = is_open[static_cast<std::size_t>(arc.edge)];
+      char& open = is_open[arc.edge];
       if (!open) continue;
       open = 0;
-      --degree[static_cast<std::size_t>(vertex)];
-      queue.push({--degree[static_cast<std::size_t>(arc.to)], -arc.to});
+      --degree[vertex];
+      queue.push({--degree[arc.to], -arc.to});
     }
   }
   return cover;
@@ -62,8 +61,7 @@ class Search {
         cycles_(graph_, annotation),
         basis_(annotation),
         margin_(complex.max_edge_length),
-        limits_(static_cast<std::size_t>(graph.num_vertices()),
-                std::numeric_limits<double>::infinity()) {}
+        limits_(graph.num_vertices(), std::numeric_limits<double>::infinity()) {}
 
   struct Roots {
     std::vector<int>::const_iterator first, last;
@@ -84,7 +82,7 @@ class Search {
   std::vector<ClassCycle> cycles() const { return basis_.cycles(); }
 
  private:
-  double& limit(int root) { return limits_[static_cast<std::size_t>(root)]; }
+  double& limit(int root) { return limits_[root]; }
 
   void offer(const RootedCycles::ClosingEdge& edge) {
     const Annotation::Word* cls = cycles_.class_of(edge);

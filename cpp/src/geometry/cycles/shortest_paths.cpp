@@ -5,15 +5,13 @@
 namespace graspless::geometry {
 
 ShortestPaths::ShortestPaths(const EdgeGraph& graph)
-    : graph_(graph),
-      state_(static_cast<std::size_t>(graph.num_vertices())),
-      queue_(graph.bucket_width()) {}
+    : graph_(graph), state_(graph.num_vertices()), queue_(graph.bucket_width()) {}
 
 void ShortestPaths::start(int root, double radius) {
   ++epoch_;
   radius_ = radius;
-  state_[index(root)] = State();
-  state_[index(root)].stamp = 2 * epoch_;
+  state_[root] = State();
+  state_[root].stamp = 2 * epoch_;
   queue_.clear();
   queue_.push(0, root);
 }
@@ -21,7 +19,7 @@ void ShortestPaths::start(int root, double radius) {
 int ShortestPaths::next() {
   const unsigned settled = 2 * epoch_ + 1;
   for (BucketQueue::Item item; queue_.pop(item);) {
-    State& state = state_[index(item.vertex)];
+    State& state = state_[item.vertex];
     if (state.stamp == settled) continue;
     state.stamp = settled;
     const int next = queue_.peek();

@@ -30,16 +30,16 @@ class ShortestPaths {
     expand(vertex, [](const EdgeGraph::Arc&) {});
   }
 
-  double distance(int vertex) const { return state_[index(vertex)].distance; }
+  double distance(int vertex) const { return state_[vertex].distance; }
   /// Same for any vertex; infinite if it is not settled.
   double reached_distance(int vertex) const {
-    return state_[index(vertex)].stamp == 2 * epoch_ + 1 ? distance(vertex)
-                                                         : std::numeric_limits<double>::infinity();
+    return state_[vertex].stamp == 2 * epoch_ + 1 ? distance(vertex)
+                                                  : std::numeric_limits<double>::infinity();
   }
-  int parent(int vertex) const { return state_[index(vertex)].parent; }  ///< -1 for the root
-  int via(int vertex) const { return state_[index(vertex)].via; }        ///< edge to the parent
+  int parent(int vertex) const { return state_[vertex].parent; }  ///< -1 for the root
+  int via(int vertex) const { return state_[vertex].via; }        ///< edge to the parent
   /// A word for each vertex that the caller sets and reads.
-  std::uint64_t& tag(int vertex) { return state_[index(vertex)].tag; }
+  std::uint64_t& tag(int vertex) { return state_[vertex].tag; }
   /// Vertices from a settled vertex to the root.
   std::vector<int> path(int vertex) const;
 
@@ -51,7 +51,6 @@ class ShortestPaths {
     int parent = -1, via = -1;
     int unused = 0;  // two states fill a cache line
   };
-  static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
 
   const EdgeGraph& graph_;
   unsigned epoch_ = 0;  // number of searches started
@@ -65,7 +64,7 @@ void ShortestPaths::expand(int vertex, const Meet& meet) {
   const double from = distance(vertex);
   const unsigned seen = 2 * epoch_, settled = seen + 1;
   for (const EdgeGraph::Arc& arc : graph_.arcs(vertex)) {
-    State& to = state_[index(arc.to)];
+    State& to = state_[arc.to];
     if (to.stamp == settled) {
       meet(arc);
       continue;

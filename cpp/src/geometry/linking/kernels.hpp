@@ -17,7 +17,6 @@ struct Line {
 struct Curve {
   const Eigen::Matrix3Xd& corners;
   int segments;
-  Eigen::Vector3d corner(int i) const { return corners.col(i < corners.cols() ? i : 0); }
 };
 
 /// Gauss linking integral of both curves, scaled by `scale`: a power of two that makes every

@@ -13,6 +13,8 @@
 namespace graspless::geometry {
 namespace {
 
+constexpr int kMostTargets = 1000000;
+
 /// A closed polyline parametrised by arc length.
 class ClosedCurve {
  public:
@@ -42,9 +44,7 @@ class ClosedCurve {
 
 std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count) {
   require_points(loop, "loop");
-  if (count < 1) {
-    throw std::invalid_argument("count must be positive, not " + std::to_string(count));
-  }
+  require(count >= 1 && count <= kMostTargets, "count", count, "must lie in [1, 1000000]");
   const ClosedCurve curve(loop);
   if (loop.cols() < 3 || !(curve.length() > 0)) {
     throw std::invalid_argument("loop must have at least 3 corners and a length, not " +

@@ -80,11 +80,11 @@ class Gaps {
     const std::size_t count = std::min(kNearGaps, gaps_.size());
     if (count < kFewestGaps) return pair.death / pair.birth;
     const Eigen::Vector3d middle = middle_of(filtration_, pair);
-    const auto end = gaps_.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto end = gaps_.begin() + count;
     std::nth_element(gaps_.begin(), end - 1, gaps_.end(), [&](const Gap& a, const Gap& b) {
       return (a.middle - middle).squaredNorm() < (b.middle - middle).squaredNorm();
     });
-    const auto median = gaps_.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    const auto median = gaps_.begin() + (count / 2);
     std::nth_element(gaps_.begin(), median, end,
                      [](const Gap& a, const Gap& b) { return a.birth < b.birth; });
     return pair.death / median->birth;

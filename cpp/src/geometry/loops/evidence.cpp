@@ -98,7 +98,7 @@ void Evidence::count_linked(const View& view, const Eigen::Matrix3Xd& loop,
       const auto end = static_cast<Eigen::Index>(std::ceil(std::clamp(columns[k + 1], 0.0, width)));
       for (Eigen::Index u = begin; u < end; ++u) {
         const int region = view.region(v, u);
-        if (region >= 0) ++linked[static_cast<std::size_t>(region)];
+        if (region >= 0) ++linked[region];
       }
     }
   }

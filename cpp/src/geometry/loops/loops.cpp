@@ -54,7 +54,7 @@ void check_count(const Eigen::Matrix3Xd& points, const LoopOptions& options) {
 }
 
 std::vector<int> all_columns(const Eigen::Matrix3Xd& points) {
-  std::vector<int> all(static_cast<std::size_t>(points.cols()));
+  std::vector<int> all(points.cols());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
@@ -78,7 +78,7 @@ Loop make_loop(const Eigen::Matrix3Xd& points, const Cycle& cycle,
   Loop loop;
   loop.points = points(Eigen::all, cycle);
   loop.length = cycle_length(points, cycle);
-  for (const int vertex : cycle) loop.vertices.push_back(columns[static_cast<std::size_t>(vertex)]);
+  for (const int vertex : cycle) loop.vertices.push_back(columns[vertex]);
   return loop;
 }
 

@@ -52,7 +52,7 @@ class DepthBuffer {
     const Eigen::ArrayXd u = along(x), v = along(y), height = along(towards);
     project(u, v);
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      double& nearest = nearest_[static_cast<std::size_t>(pixel_[i])];
+      double& nearest = nearest_[pixel_[i]];
       nearest = std::max(nearest, height[i]);
     }
     Eigen::Index hidden = 0;
@@ -60,7 +60,7 @@ class DepthBuffer {
       return static_cast<double>(u.size() - hidden) / static_cast<double>(u.size());
     };
     for (Eigen::Index i = 0; i < u.size(); ++i) {
-      hidden += !(height[i] > nearest_[static_cast<std::size_t>(pixel_[i])] - behind_);
+      hidden += !(height[i] > nearest_[pixel_[i]] - behind_);
       if (i % 64 == 0 && share() < kNearlyAll) return 0;
     }
     return share();
@@ -99,15 +99,14 @@ double roughness(const Eigen::Matrix3Xd& points, Eigen::Index neighbours) {
   constexpr Eigen::Index kLooks = 100;
   const Eigen::Index n = points.cols(), count = std::min(neighbours, n);
   std::vector<double> rough;
-  std::vector<std::pair<double, Eigen::Index>> near(static_cast<std::size_t>(n));
+  std::vector<std::pair<double, Eigen::Index>> near(n);
   for (Eigen::Index i = 0; i < n; i += std::max<Eigen::Index>(1, n / kLooks)) {
     poll();
     for (Eigen::Index k = 0; k < n; ++k)
-      near[static_cast<std::size_t>(k)] = {(points.col(k) - points.col(i)).squaredNorm(), k};
+      near[k] = {(points.col(k) - points.col(i)).squaredNorm(), k};
     std::nth_element(near.begin(), near.begin() + (count - 1), near.end());
     Eigen::Matrix3Xd around(3, count);
-    for (Eigen::Index k = 0; k < count; ++k)
-      around.col(k) = points.col(near[static_cast<std::size_t>(k)].second);
+    for (Eigen::Index k = 0; k < count; ++k) around.col(k) = points.col(near[k].second);
     around.colwise() -= around.rowwise().mean().eval();
     const Eigen::Vector3d squares =  // ascending
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(around * around.transpose(),

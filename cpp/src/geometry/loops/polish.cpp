@@ -168,7 +168,7 @@ void replace(Loop& loop, const Complex& whole, const Cycle& cycle, const Resolut
   if (length >= loop.length) return;
   loop.points = whole.points(Eigen::all, cycle);
   loop.vertices.clear();
-  for (const int vertex : cycle) loop.vertices.push_back(order[static_cast<std::size_t>(vertex)]);
+  for (const int vertex : cycle) loop.vertices.push_back(order[vertex]);
   loop.length = length;
   loop.gap = resolution.widest_gap(cycle);
 }

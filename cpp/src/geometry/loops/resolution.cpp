@@ -34,8 +34,8 @@ class NearestNeighbors {
     for (const auto& edge : complex.edges.colwise()) {
       pulse();
       const double length = (complex.points.col(edge[0]) - complex.points.col(edge[1])).norm();
-      all_[next[static_cast<std::size_t>(edge[0])]++] = {length, edge[1]};
-      all_[next[static_cast<std::size_t>(edge[1])]++] = {length, edge[0]};
+      all_[next[edge[0]]++] = {length, edge[1]};
+      all_[next[edge[1]]++] = {length, edge[0]};
     }
     for (std::size_t point = 0; point + 1 < first_.size(); ++point) {
       pulse();
@@ -50,7 +50,7 @@ class NearestNeighbors {
   }
 
  private:
-  Iterator at(std::size_t i) { return all_.begin() + static_cast<std::ptrdiff_t>(i); }
+  Iterator at(std::size_t i) { return all_.begin() + i; }
 
   std::vector<std::size_t> first_;  // of each point in all_, and the size of that
   std::vector<Neighbor> all_;
@@ -75,8 +75,7 @@ Resolution::Resolution(const Complex& complex) : points_(complex.points) {
 }
 
 double Resolution::relative_length(int a, int b) const {
-  return (points_.col(a) - points_.col(b)).norm() /
-         std::min(spacing_[static_cast<std::size_t>(a)], spacing_[static_cast<std::size_t>(b)]);
+  return (points_.col(a) - points_.col(b)).norm() / std::min(spacing_[a], spacing_[b]);
 }
 
 bool Resolution::is_gap(int a, int b) const { return relative_length(a, b) > kReach; }

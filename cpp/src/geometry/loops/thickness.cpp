@@ -111,7 +111,7 @@ std::pair<double, double> widths_of(const std::vector<Eigen::Vector2d>& points) 
 
 /// A low quantile instead of the minimum: a single cross-section may hit few points.
 double tenth(std::vector<double> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  const auto at = values.begin() + (values.size() / 10);
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

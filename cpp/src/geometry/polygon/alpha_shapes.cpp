@@ -48,7 +48,7 @@ double AlphaShapes::optimal_alpha() const {
   if (best + 1 == spectrum.size()) return spectrum[best];
   const double more = kMore * spectrum[best];
   const auto at = std::upper_bound(spectrum.begin(), spectrum.end(), more) - spectrum.begin() - 1;
-  if (more > spectrum[best + 1] || is_split(pieces[static_cast<std::size_t>(at)])) {
+  if (more > spectrum[best + 1] || is_split(pieces[at])) {
     return spectrum[best + 1];
   }
   return more;
@@ -62,7 +62,7 @@ double AlphaShapes::median_spacing() const {
     const auto a = face->vertex(Delaunay::ccw(i)), b = face->vertex(Delaunay::cw(i));
     const double length = std::sqrt(CGAL::squared_distance(a->point(), b->point()));
     for (const int vertex : {a->info(), b->info()}) {
-      auto& least = nearest[static_cast<std::size_t>(vertex)];
+      auto& least = nearest[vertex];
       least = std::min(least, length);
     }
   }
@@ -179,14 +179,8 @@ double AlphaShapes::least_covering() const {
 }
 
 std::vector<int> AlphaShapes::count_pieces(const std::vector<double>& values) const {
-  std::vector<int> above(faces_.size(), -1);  // forest of joined faces; -1: not in the shape
-  const auto piece = [&](int face) {
-    while (above[static_cast<std::size_t>(face)] != face) {
-      auto& parent = above[static_cast<std::size_t>(face)];
-      face = parent = above[static_cast<std::size_t>(parent)];
-    }
-    return face;
-  };
+  DisjointSets joined(static_cast<int>(faces_.size()));
+  std::vector<bool> is_in(faces_.size(), false);  // the shape
   std::vector<int> pieces;
   int count = 0;
   auto next = faces_.begin();
@@ -194,15 +188,11 @@ std::vector<int> AlphaShapes::count_pieces(const std::vector<double>& values) co
     for (; next != faces_.end() && (*next)->info().squared_radius <= value; ++next) {
       poll();
       const int own = (*next)->info().index;
-      above[static_cast<std::size_t>(own)] = own;
+      is_in[own] = true;
       ++count;
       for (int i = 0; i < 3; ++i) {
         const int other = (*next)->neighbor(i)->info().index;
-        if (other < 0 || above[static_cast<std::size_t>(other)] < 0) continue;
-        const int a = piece(own), b = piece(other);
-        if (a == b) continue;
-        above[static_cast<std::size_t>(a)] = b;
-        --count;
+        if (other >= 0 && is_in[other] && joined.join(own, other)) --count;
       }
     }
     pieces.push_back(count);

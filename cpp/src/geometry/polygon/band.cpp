@@ -118,7 +118,7 @@ std::optional<Eigen::Vector2d> Band::sample(std::mt19937_64& rng, double margin)
 Eigen::Vector2d Band::draw_inside(std::mt19937_64& rng) const {
   const double area = uniform(rng) * cumulative_area_.back();
   const auto found = std::upper_bound(cumulative_area_.begin(), cumulative_area_.end() - 1, area);
-  const Triangle& t = triangles_[static_cast<std::size_t>(found - cumulative_area_.begin())];
+  const Triangle& t = triangles_[found - cumulative_area_.begin()];
   double a = uniform(rng), b = uniform(rng);
   if (a + b > 1) {
     a = 1 - a;

@@ -100,7 +100,7 @@ std::vector<Eigen::Matrix2Xd> contract(const Eigen::Matrix2Xd& vertices, double 
   for (const auto& piece : CGAL::create_offset_polygons_2<CGAL::Polygon_2<Kernel>>(width, *bones)) {
     Eigen::Matrix2Xd v(2, static_cast<Eigen::Index>(piece->size()));
     for (std::size_t i = 0; i < piece->size(); ++i) {
-      v.col(static_cast<Eigen::Index>(i)) << (*piece)[i].x(), (*piece)[i].y();
+      v.col(i) << (*piece)[i].x(), (*piece)[i].y();
     }
     out.push_back(v);
   }

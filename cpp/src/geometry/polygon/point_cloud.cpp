@@ -52,7 +52,7 @@ Eigen::Matrix2Xd simplified(const Points& loop, double tolerance) {
     kept.push_back(loop[anchor]);
   }
   Eigen::Matrix2Xd out(2, static_cast<Eigen::Index>(kept.size()));
-  for (std::size_t i = 0; i < kept.size(); ++i) out.col(static_cast<Eigen::Index>(i)) = kept[i];
+  for (std::size_t i = 0; i < kept.size(); ++i) out.col(i) = kept[i];
   return out;
 }
 

@@ -37,9 +37,8 @@ class Darts {
     for (std::uint64_t k = 0; k < 8; ++k) {
       const Slot& slot =
           slots_[find(key(corner[0] + k / 4, corner[1] + k / 2 % 2, corner[2] + k % 2))];
-      for (int i = slot.first; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
-        if ((points_[static_cast<std::size_t>(i)] - p).squaredNorm() < distance_ * distance_)
-          return false;
+      for (int i = slot.first; i >= 0; i = next_[i]) {
+        if ((points_[i] - p).squaredNorm() < distance_ * distance_) return false;
       }
     }
     insert(p, key(static_cast<std::uint64_t>(at[0]), static_cast<std::uint64_t>(at[1]),
@@ -84,17 +83,17 @@ Eigen::Matrix3Xd in_cell_order(const Eigen::Matrix3Xd& points) {
   const double extent = (points.rowwise().maxCoeff() - lower).maxCoeff();
   const double scale = extent > 0 ? kCoarse * (1 - 1e-9) / extent : 0;
   std::vector<int> first(kCoarse * kCoarse * kCoarse + 1, 0);
-  std::vector<int> cells(static_cast<std::size_t>(points.cols()));
+  std::vector<int> cells(points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3i at = ((points.col(i) - lower) * scale).cast<int>();
     const int cell = (at.x() * kCoarse + at.y()) * kCoarse + at.z();
-    cells[static_cast<std::size_t>(i)] = cell;
+    cells[i] = cell;
     ++first[static_cast<std::size_t>(cell) + 1];
   }
   for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
   Eigen::Matrix3Xd sorted(3, points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const auto cell = static_cast<std::size_t>(cells[static_cast<std::size_t>(i)]);
+    const auto cell = static_cast<std::size_t>(cells[i]);
     sorted.col(first[cell]++) = points.col(i);
   }
   return sorted;
@@ -117,8 +116,8 @@ std::vector<int> throw_darts(const Eigen::Matrix3Xd& points, int count, double a
   }
   const auto all = static_cast<std::int64_t>(kept.size());
   for (std::int64_t k = 0; k < count; ++k)  // drops what is too many, everywhere as much
-    kept[static_cast<std::size_t>(k)] = kept[static_cast<std::size_t>(k * all / count)];
-  kept.resize(static_cast<std::size_t>(count));
+    kept[k] = kept[k * all / count];
+  kept.resize(count);
   return kept;
 }
 

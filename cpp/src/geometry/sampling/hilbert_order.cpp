@@ -32,7 +32,7 @@ Eigen::Matrix3Xd in_hilbert_order(const Eigen::Matrix3Xd& points) {
   CGAL::hilbert_sort(sorted.begin(), sorted.end(), Kernel());
   Eigen::Matrix3Xd out(3, points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Kernel::Point_3& p = sorted[static_cast<std::size_t>(i)];
+    const Kernel::Point_3& p = sorted[i];
     out.col(i) << p.x(), p.y(), p.z();
   }
   return out;
@@ -44,7 +44,7 @@ std::vector<int> morton_order(const Eigen::Matrix3Xd& points) {
   const double side = (points.rowwise().maxCoeff() - low).maxCoeff();
   const double scale = side > 0 ? (kCells - 1) / side : 0;
   std::vector<std::pair<std::uint64_t, int>> codes;
-  codes.reserve(static_cast<std::size_t>(points.cols()));
+  codes.reserve(points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d cell = (points.col(i) - low) * scale;
     const std::uint64_t code = spread(cell.x()) | spread(cell.y()) << 1 | spread(cell.z()) << 2;

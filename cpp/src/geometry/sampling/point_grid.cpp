@@ -28,13 +28,13 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
   while ((std::size_t{1} << (64 - shift_)) < 2 * static_cast<std::size_t>(n)) --shift_;
   table_.assign(std::size_t{1} << (64 - shift_), -1);
 
-  std::vector<int> cell_of(static_cast<std::size_t>(n));
+  std::vector<int> cell_of(n);
   Pulse pulse;
   for (int i = 0; i < n; ++i) {
     pulse();
     const int c = find_or_insert(key_of(points.col(i)));
-    cell_of[static_cast<std::size_t>(i)] = c;
-    ++first_[static_cast<std::size_t>(c)];
+    cell_of[i] = c;
+    ++first_[c];
   }
   int sum = 0;
   for (int& first : first_) {
@@ -42,16 +42,16 @@ PointGrid::PointGrid(const Eigen::Matrix3Xd& points, double cell)
     first = sum;
   }
   first_.push_back(n);
-  members_.resize(static_cast<std::size_t>(n));
+  members_.resize(n);
   for (int i = n - 1; i >= 0; --i) {
-    int& first = first_[static_cast<std::size_t>(cell_of[static_cast<std::size_t>(i)])];
-    members_[static_cast<std::size_t>(--first)] = i;
+    int& first = first_[cell_of[i]];
+    members_[--first] = i;
   }
 }
 
 void PointGrid::points_around(int c, std::vector<int>& points) const {
   points.clear();
-  const Key middle = keys_[static_cast<std::size_t>(c)];
+  const Key middle = keys_[c];
   for (int neighbour = 0; neighbour < 27; ++neighbour) {
     const Key x = static_cast<Key>(neighbour / 9), y = static_cast<Key>(neighbour / 3 % 3),
               z = static_cast<Key>(neighbour % 3);
@@ -72,7 +72,7 @@ PointGrid::Key PointGrid::key_of(const Eigen::Vector3d& point) const {
 int PointGrid::find(Key key) const {
   for (std::size_t s = slot(key);; s = (s + 1) % table_.size()) {
     const int c = table_[s];
-    if (c < 0 || keys_[static_cast<std::size_t>(c)] == key) return c;
+    if (c < 0 || keys_[c] == key) return c;
   }
 }
 
@@ -84,7 +84,7 @@ int PointGrid::find_or_insert(Key key) {
       first_.push_back(0);
       return table_[s];
     }
-    if (keys_[static_cast<std::size_t>(table_[s])] == key) return table_[s];
+    if (keys_[table_[s]] == key) return table_[s];
   }
 }
 

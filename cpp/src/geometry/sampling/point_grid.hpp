@@ -19,7 +19,7 @@ class PointGrid {
   double cell() const { return cell_; }
   int num_cells() const { return static_cast<int>(keys_.size()); }
   /// Range of occupied cell `c` in members(): first(c) to first(c + 1) - 1.
-  int first(int c) const { return first_[static_cast<std::size_t>(c)]; }
+  int first(int c) const { return first_[c]; }
   const std::vector<int>& members() const { return members_; }
 
   /// Collects the points in the 27 cells around occupied cell `c`, itself included. They include

@@ -34,21 +34,21 @@ float weight(double distance, double reach) {
 Neighbours find_neighbours(const Eigen::Matrix3Xd& points, double reach) {
   const PointGrid grid(points, reach);
   Neighbours all;
-  all.begin.resize(static_cast<std::size_t>(points.cols()));
+  all.begin.resize(points.cols());
   all.end.resize(all.begin.size());
   std::vector<int> around;
   for (int c = 0; c < grid.num_cells(); ++c) {
     poll();
     grid.points_around(c, around);
     for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
-      const int i = grid.members()[static_cast<std::size_t>(k)];
-      all.begin[static_cast<std::size_t>(i)] = all.entries.size();
+      const int i = grid.members()[k];
+      all.begin[i] = all.entries.size();
       for (const int j : around) {
         const double squared = (points.col(j) - points.col(i)).squaredNorm();
         if (j == i || squared >= reach * reach) continue;
         all.entries.push_back({j, weight(std::sqrt(squared), reach)});
       }
-      all.end[static_cast<std::size_t>(i)] = all.entries.size();
+      all.end[i] = all.entries.size();
     }
   }
   return all;
@@ -73,14 +73,14 @@ class CrowdingQueue {
 
   std::size_t pop_most_crowded() {
     auto [value, point] = queue_.top();
-    for (queue_.pop(); value > crowding_[static_cast<std::size_t>(point)]; queue_.pop()) {
-      queue_.emplace(crowding_[static_cast<std::size_t>(point)], point);
+    for (queue_.pop(); value > crowding_[point]; queue_.pop()) {
+      queue_.emplace(crowding_[point], point);
       std::tie(value, point) = queue_.top();
     }
     const std::size_t i = static_cast<std::size_t>(point);
     for (std::size_t k = neighbours_.begin[i]; k < neighbours_.end[i]; ++k) {
       const Neighbours::Entry& entry = neighbours_.entries[k];
-      crowding_[static_cast<std::size_t>(entry.point)] -= entry.weight;
+      crowding_[entry.point] -= entry.weight;
     }
     return i;
   }

@@ -107,7 +107,7 @@ Eigen::Matrix3Xd sample_surface(const std::vector<PlacedShape>& shapes, int coun
                                     : eliminate_samples(candidates.points, count, candidates.area);
   Eigen::Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
-    points.col(i) = candidates.points.col(kept[static_cast<std::size_t>(i)]);
+    points.col(i) = candidates.points.col(kept[i]);
   }
   return points;
 }

@@ -57,8 +57,8 @@ void find_nearest(const Eigen::Matrix3Xd& points, const PointGrid& grid,
     poll();
     grid.points_around(c, around);
     for (int k = grid.first(c); k < grid.first(c + 1); ++k) {
-      const int i = grid.members()[static_cast<std::size_t>(k)];
-      double& squared = nearest[static_cast<std::size_t>(i)];
+      const int i = grid.members()[k];
+      double& squared = nearest[i];
       squared = kInfinity;
       for (const int j : around) {
         keep_nearer((points.col(j) - points.col(i)).squaredNorm(), squared);
@@ -76,7 +76,7 @@ std::vector<double> nearest_of(const Eigen::Matrix3Xd& cloud, const Last& last) 
   const Eigen::Matrix3Xd points = distinct(cloud);
   const double first_guess = guess(points);
   if (!(first_guess < kInfinity)) return {};
-  std::vector<double> nearest(static_cast<std::size_t>(points.cols()));
+  std::vector<double> nearest(points.cols());
   // A neighbour within a cell's side is certainly the nearest.
   for (double cell = 1.5 * std::sqrt(first_guess);; cell *= 2) {
     const PointGrid grid(points, cell);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_mesh.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::geometry {
@@ -34,14 +35,7 @@ SurfaceSampler::Point SurfaceSampler::draw(std::mt19937_64& rng) const {
   return point;
 }
 
-void SurfaceSampler::set(const Box& box) {
-  Convex corners{Eigen::Matrix3Xd(3, 8)};
-  for (int i = 0; i < 8; ++i) {
-    corners.vertices.col(i) << (i & 1 ? 0.5 : -0.5), (i & 2 ? 0.5 : -0.5), (i & 4 ? 0.5 : -0.5);
-  }
-  corners.vertices = box.size.asDiagonal() * corners.vertices;
-  set(corners);
-}
+void SurfaceSampler::set(const Box& box) { set(Convex{box_mesh(box.size).vertices}); }
 
 void SurfaceSampler::set(const Convex& convex) {
   set(convex_hull(convex.vertices));

@@ -37,7 +37,7 @@ struct PollingPoints {
 
   friend reference get(const PollingPoints& map, int index) {
     poll();
-    return (*map.points)[static_cast<std::size_t>(index)];
+    return (*map.points)[index];
   }
 };
 

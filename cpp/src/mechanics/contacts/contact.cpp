@@ -18,7 +18,8 @@
 namespace graspless::mechanics {
 namespace {
 
-constexpr double kUnit = 1e-9;      // tolerance of a unit normal's length
+constexpr double kUnit = 1e-9;  // tolerance of a unit normal's length
+constexpr int kMaxConeEdges = 1000;
 constexpr double kMaxScale = 1e9;   // of a force or moment [1 or 1/m]
 constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
 
@@ -111,10 +112,7 @@ void validate(const ContactSet& set, const std::string& what) {
   if (!Eigen::FullPivLU<Matrix6d>(set.wrench_scale).isInvertible()) {
     throw std::invalid_argument(what + ": wrench_scale must be regular");
   }
-  if (set.cone_edges < 3) {
-    throw std::invalid_argument(what + ": cone_edges must be at least 3, not " +
-                                std::to_string(set.cone_edges));
-  }
+  check_in_range(set.cone_edges, what + ": cone_edges", 3, kMaxConeEdges, "");
 }
 
 ContactSet normalized(ContactSet set, const std::string& what) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/geometry/shape.hpp"
 
 #include "geometry/require_points.hpp"
@@ -45,11 +46,7 @@ void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3
   for (std::size_t i = 0; i < planes.size(); ++i) {
     validate_plane(planes[i], "planes[" + std::to_string(i) + "]");
   }
-  const Eigen::Matrix3d R = state.X_WO.linear();
-  geometry::require_points(state.X_WO.translation(), "translation of state.X_WO");
-  if (!(R * R.transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-6) || R.determinant() < 0) {
-    throw std::invalid_argument("state.X_WO must be a rigid displacement");
-  }
+  geometry::require_pose(state.X_WO, "state.X_WO");
   if (!state.twist_W.allFinite()) throw std::invalid_argument("state.twist_W must be finite");
   require(tolerance >= 0 && tolerance <= geometry::kMaxLength, "tolerance", tolerance,
           "must lie in [0, 10000] m");
@@ -129,10 +126,10 @@ std::vector<int> corners(const Motion& motion, const Plane& plane, const std::ve
   P << t_W.transpose(), plane.n_W.cross(t_W).transpose();
   Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    points.col(static_cast<Eigen::Index>(k)) = P * (motion.p_WV.col(vertices[k]) - motion.p_WO);
+    points.col(k) = P * (motion.p_WV.col(vertices[k]) - motion.p_WO);
   }
   std::vector<int> kept = patch_corners(points, tolerance);
-  for (int& k : kept) k = vertices[static_cast<std::size_t>(k)];
+  for (int& k : kept) k = vertices[k];
   return kept;
 }
 

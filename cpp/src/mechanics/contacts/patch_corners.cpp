@@ -49,7 +49,7 @@ void chain(const Eigen::Matrix2Xd& points, const std::vector<int>& order, std::v
 std::vector<int> patch_corners(const Eigen::Matrix2Xd& raw, double tolerance) {
   if (raw.cols() == 0) return {};
   const Eigen::Matrix2Xd points = turned(raw);
-  std::vector<int> order(static_cast<std::size_t>(points.cols()));
+  std::vector<int> order(points.cols());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int i, int j) {
     if (points(0, i) != points(0, j)) return points(0, i) < points(0, j);
@@ -68,7 +68,7 @@ std::vector<int> patch_corners(const Eigen::Matrix2Xd& raw, double tolerance) {
     if (off > tolerance) {
       ++k;
     } else {
-      hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(k));
+      hull.erase(hull.begin() + k);
       k = 0;  // the neighbours of the erased point must be checked again
     }
   }

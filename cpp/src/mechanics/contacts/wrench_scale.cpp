@@ -55,13 +55,13 @@ Principal principal_axes(const Eigen::Matrix3d& inertia) {
     Principal candidate{solver.eigenvalues(), solver.eigenvectors()};
     Eigen::Matrix3d targets;
     for (int i = 0; i < 3; ++i) {
-      targets.col(i) = Eigen::Vector3d::Unit(order[static_cast<std::size_t>(i)]);
+      targets.col(i) = Eigen::Vector3d::Unit(order[i]);
     }
     const double near = turn_towards(targets, candidate);
     if (near <= nearest + 1e-9) continue;
     nearest = near;
     for (int i = 0; i < 3; ++i) {
-      const int axis = order[static_cast<std::size_t>(i)];
+      const int axis = order[i];
       best.moments[axis] = candidate.moments[i];
       best.axes.col(axis) = candidate.axes.col(i);
     }

@@ -70,12 +70,12 @@ Equilibrium along_normals(const ContactSet& set) {
   units.finger_forces_O.resize(3, static_cast<Eigen::Index>(set.fingers.size()));
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     const Contact& contact = set.contacts[i];
-    units.contact_forces_O.col(static_cast<Eigen::Index>(i)) =
-        contact.mode == ContactMode::slide ? Eigen::Vector3d(cone_of(contact, set.cone_edges))
-                                           : contact.n_O;
+    units.contact_forces_O.col(i) = contact.mode == ContactMode::slide
+                                        ? Eigen::Vector3d(cone_of(contact, set.cone_edges))
+                                        : contact.n_O;
   }
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    units.finger_forces_O.col(static_cast<Eigen::Index>(i)) = set.fingers[i].n_O;
+    units.finger_forces_O.col(i) = set.fingers[i].n_O;
   }
   return units;
 }

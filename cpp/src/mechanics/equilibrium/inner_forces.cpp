@@ -101,12 +101,12 @@ double margin_of(const ContactSet& set, const std::vector<FingerMode>& modes,
   double margin = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     const Contact& c = set.contacts[i];
-    const Eigen::Vector3d force = forces.contact_forces_O.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d force = forces.contact_forces_O.col(i);
     margin = std::min(margin, least_coefficient(cone_of(c, set.cone_edges), c.n_O, force));
   }
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const Finger& f = set.fingers[i];
-    const Eigen::Vector3d force = forces.finger_forces_O.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d force = forces.finger_forces_O.col(i);
     margin = std::min(margin, least_coefficient(cone_of(f, set.cone_edges), f.n_O, force));
     if (modes[i] == FingerMode::force) continue;
     margin = std::min(margin, f.max_normal_force - f.n_O.dot(force));
@@ -146,7 +146,7 @@ std::optional<Equilibrium> inner_forces(const ContactSet& set, const std::vector
     const bool force = modes[i] == FingerMode::force;
     program.add_normal(first_finger[i], fingers[i],
                        f.n_O.dot(reserve.apex_O) + (force ? 0 : reserve.normal), force,
-                       commanded_forces[static_cast<Eigen::Index>(i)]);
+                       commanded_forces[i]);
   }
   const auto solution = program.solve(kept);
   if (!solution) return std::nullopt;
@@ -155,16 +155,15 @@ std::optional<Equilibrium> inner_forces(const ContactSet& set, const std::vector
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     const Eigen::Matrix3Xd cone = cone_of(set.contacts[i], set.cone_edges);
     const auto edges = static_cast<int>(cone.cols());
-    forces.contact_forces_O.col(static_cast<Eigen::Index>(i)) =
+    forces.contact_forces_O.col(i) =
         solution->t * reserves[i].apex_O + cone * solution->k.segment(next, edges);
     next += edges;
   }
   forces.finger_forces_O.resize(3, static_cast<Eigen::Index>(fingers.size()));
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const Eigen::Matrix3Xd cone = cone_of(set.fingers[i], set.cone_edges);
-    forces.finger_forces_O.col(static_cast<Eigen::Index>(i)) =
-        solution->t * reserves[set.contacts.size() + i].apex_O +
-        cone * solution->k.segment(first_finger[i], cone.cols());
+    forces.finger_forces_O.col(i) = solution->t * reserves[set.contacts.size() + i].apex_O +
+                                    cone * solution->k.segment(first_finger[i], cone.cols());
   }
   forces.margin = margin_of(set, modes, forces);
   return forces;

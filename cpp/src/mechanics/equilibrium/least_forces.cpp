@@ -71,8 +71,8 @@ struct Held {
     A.resize(count, problem.A.cols());
     b.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-      A.row(i) = problem.A.row(rows[static_cast<std::size_t>(i)]);
-      b[i] = problem.upper[rows[static_cast<std::size_t>(i)]];
+      A.row(i) = problem.A.row(rows[i]);
+      b[i] = problem.upper[rows[i]];
     }
   }
 };
@@ -90,13 +90,13 @@ std::optional<Eigen::VectorXd> least_forces(const LeastForces& problem) {
     bool changed = false;
     for (std::size_t k = 0; k < held.rows.size(); ++k) {  // releases upper bounds that push
       const auto i = static_cast<std::size_t>(held.rows[k]);
-      if (problem.is_equal[i] || (*lambda)[static_cast<Eigen::Index>(k)] <= 0) continue;
+      if (problem.is_equal[i] || (*lambda)[k] <= 0) continue;
       is_held[i] = false;
       changed = true;
     }
     for (std::size_t i = 0; i < is_held.size(); ++i) {
-      const double room = kTolerance * (1 + std::abs(problem.upper[static_cast<Eigen::Index>(i)]));
-      if (is_held[i] || problem.is_equal[i] || excess[static_cast<Eigen::Index>(i)] <= 10 * room) {
+      const double room = kTolerance * (1 + std::abs(problem.upper[i]));
+      if (is_held[i] || problem.is_equal[i] || excess[i] <= 10 * room) {
         continue;
       }
       is_held[i] = changed = true;

@@ -48,8 +48,7 @@ class Law {
         support_(set),
         supplied_(-set.known_wrench_O) {
     for (std::size_t j = 0; j < set.fingers.size(); ++j) {
-      supplied_ -= wrench_at(set, set.fingers[j].p_OC,
-                             nominal.finger_forces_O.col(static_cast<Eigen::Index>(j)));
+      supplied_ -= wrench_at(set, set.fingers[j].p_OC, nominal.finger_forces_O.col(j));
     }
   }
 

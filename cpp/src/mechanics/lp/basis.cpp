@@ -40,8 +40,8 @@ ActiveSystem active_system(const LinearProgram& lp, const LpBasis& basis) {
   if (rows != columns) return system;
   std::vector<Eigen::Triplet<double>> inside;
   for (const auto& entry : lp.entries) {
-    const int row = system.row_of[static_cast<std::size_t>(entry.row())];
-    const int column = system.column_of[static_cast<std::size_t>(entry.col())];
+    const int row = system.row_of[entry.row()];
+    const int column = system.column_of[entry.col()];
     if (row >= 0 && column >= 0) inside.emplace_back(row, column, entry.value());
   }
   system.A.resize(rows, columns);
@@ -144,7 +144,7 @@ double primal_error(const LinearProgram& lp, const LongVector& x) {
   const auto check = [&](const LongVector& values, const std::vector<double>& lower,
                          const std::vector<double>& upper) {
     for (std::size_t i = 0; i < lower.size(); ++i) {
-      const long double value = values[static_cast<Eigen::Index>(i)];
+      const long double value = values[i];
       worst = std::max({worst, lower[i] - value, value - upper[i]});
     }
   };
@@ -157,12 +157,12 @@ double dual_error(const LinearProgram& lp, const LpBasis& basis, const LongVecto
   const LongVector reduced = reduced_costs(lp, y);
   double worst = 0;
   for (Eigen::Index j = 0; j < reduced.size(); ++j) {
-    const BasisStatus status = basis.variables[static_cast<std::size_t>(j)];
+    const BasisStatus status = basis.variables[j];
     worst = std::max(worst, sign_error(status, static_cast<double>(reduced[j])));
   }
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     // The dual is what the objective would gain if the row left its bound.
-    const BasisStatus status = basis.rows[static_cast<std::size_t>(i)];
+    const BasisStatus status = basis.rows[i];
     if (status == BasisStatus::basic) continue;
     worst = std::max(worst, sign_error(status, static_cast<double>(y[i])));
   }
@@ -186,7 +186,7 @@ void right_sides(const LinearProgram& lp, const LpBasis& basis, const ActiveSyst
     if (column >= 0) {
       (*c)[column] = lp.objective[j];
     } else {
-      (*x)[static_cast<Eigen::Index>(j)] = bound(basis.variables[j], lp.lower[j], lp.upper[j]);
+      (*x)[j] = bound(basis.variables[j], lp.lower[j], lp.upper[j]);
     }
   }
   for (std::size_t i = 0; i < lp.row_lower.size(); ++i) {
@@ -194,8 +194,8 @@ void right_sides(const LinearProgram& lp, const LpBasis& basis, const ActiveSyst
     if (row >= 0) (*b)[row] = bound(basis.rows[i], lp.row_lower[i], lp.row_upper[i]);
   }
   for (const auto& entry : lp.entries) {
-    const int row = system.row_of[static_cast<std::size_t>(entry.row())];
-    if (row < 0 || system.column_of[static_cast<std::size_t>(entry.col())] >= 0) continue;
+    const int row = system.row_of[entry.row()];
+    if (row < 0 || system.column_of[entry.col()] >= 0) continue;
     (*b)[row] -= (*x)[entry.col()] * entry.value();
   }
 }
@@ -226,7 +226,7 @@ LpVertex vertex_of(const LinearProgram& lp, const LpBasis& basis) {
   vertex.duals = LongVector::Zero(lp.num_rows());
   for (std::size_t i = 0; i < lp.row_lower.size(); ++i) {
     const int row = system.row_of[i];
-    if (row >= 0) vertex.duals[static_cast<Eigen::Index>(i)] = y[row];
+    if (row >= 0) vertex.duals[i] = y[row];
   }
   solution.objective = static_cast<double>(objective);
   solution.x = vertex.x.cast<double>();
@@ -242,8 +242,7 @@ LinearProgram magnified(const LinearProgram& lp, const LpVertex& vertex) {
   const long double dual = magnification(vertex.solution.dual_error);
   const auto shift = [&](const LongVector& origin, std::vector<double>* bounds) {
     for (std::size_t i = 0; i < bounds->size(); ++i) {
-      (*bounds)[i] =
-          static_cast<double>(primal * ((*bounds)[i] - origin[static_cast<Eigen::Index>(i)]));
+      (*bounds)[i] = static_cast<double>(primal * ((*bounds)[i] - origin[i]));
     }
   };
   for (auto* bounds : {&rest.lower, &rest.upper}) shift(vertex.x, bounds);

@@ -55,13 +55,12 @@ void validate_entries(const LinearProgram& lp) {
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<int> rows(lp.entries.size());
   std::vector<std::size_t> next = begin;
-  for (const auto& entry : lp.entries)
-    rows[next[static_cast<std::size_t>(entry.col())]++] = entry.row();
+  for (const auto& entry : lp.entries) rows[next[entry.col()]++] = entry.row();
   std::vector<int> last_column(lp.row_lower.size(), -1);  // with an entry in each row
   for (int column = 0; column < static_cast<int>(lp.lower.size()); ++column) {
     const auto at = static_cast<std::size_t>(column);
     for (std::size_t k = begin[at]; k < begin[at + 1]; ++k) {
-      int& last = last_column[static_cast<std::size_t>(rows[k])];
+      int& last = last_column[rows[k]];
       if (last == column) refuse(rows[k], column, "be given once");
       last = column;
     }

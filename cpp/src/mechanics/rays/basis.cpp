@@ -40,8 +40,8 @@ void RayBasis::begin(const Columns& columns) {
   matrix_.fill(0);
   per_square_.fill(1);
   for (int r = 0; r < rows_; ++r) {
-    inverse_[ix(r * K_ + r)] = matrix_[ix(r * K_ + r)] = 1;
-    head_[ix(r)] = r < 6 ? -1 : columns.slack(r - 6);
+    inverse_[r * K_ + r] = matrix_[r * K_ + r] = 1;
+    head_[r] = r < 6 ? -1 : columns.slack(r - 6);
   }
   since_refresh_ = 0;
 }
@@ -51,15 +51,15 @@ bool RayBasis::resume(const Columns& columns) {
   columns_ = &columns;
   is_doubtful_ = false;
   for (int r = 0; r < rows_; ++r) {
-    if (head_[ix(r)] < 0 || head_[ix(r)] >= columns.count()) return false;
-    columns.column(head_[ix(r)], &matrix_[ix(r * K_)]);
+    if (head_[r] < 0 || head_[r] >= columns.count()) return false;
+    columns.column(head_[r], &matrix_[r * K_]);
   }
   return refactor(kResumable);
 }
 
 RayBasis::Vector RayBasis::row(int r) const {
   Vector rho{};
-  for (int k = 0; k < rows_; ++k) rho[ix(k)] = inverse_[ix(k * K_ + r)];
+  for (int k = 0; k < rows_; ++k) rho[k] = inverse_[k * K_ + r];
   return rho;
 }
 
@@ -67,13 +67,13 @@ double RayBasis::price(const Vector& rho, int j) const {
   Vector entries{};
   columns_->column(j, entries.data());
   double sum = 0;
-  for (int i = 0; i < rows_; ++i) sum += rho[ix(i)] * entries[ix(i)];
+  for (int i = 0; i < rows_; ++i) sum += rho[i] * entries[i];
   return sum;
 }
 
 bool RayBasis::complete(const Vector& target) {
   for (int r = 0; r < rows_; ++r) {
-    if (head_[ix(r)] >= 0) continue;
+    if (head_[r] >= 0) continue;
     Vector values{};
     kernels::multiply(inverse(), target.data(), values.data());
     Vector rho = row(r);
@@ -88,7 +88,7 @@ bool RayBasis::complete(const Vector& target) {
       is_doubtful_ = least_price(rho, noise) >= 0 || least_price(row(r), noise) >= 0;
       return false;
     }
-    const bool up = values[ix(r)] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
+    const bool up = values[r] >= 0 ? most >= kWrongSign * least : kWrongSign * most > least;
     pivot(r, up ? toward : against);
   }
   return true;
@@ -108,9 +108,9 @@ int RayBasis::leaving(const Vector& target, double tolerance, bool bland) {
   kernels::multiply(inverse(), target.data(), values.data());
   int first = -1;
   for (int r = 0; r < rows_; ++r) {
-    const double value = std::min(0.0, values[ix(r)]);
-    if (value * value * per_square_[ix(r)] <= allowed) continue;
-    if (first < 0 || head_[ix(r)] < head_[ix(first)]) first = r;
+    const double value = std::min(0.0, values[r]);
+    if (value * value * per_square_[r] <= allowed) continue;
+    if (first < 0 || head_[r] < head_[first]) first = r;
   }
   return first;
 }
@@ -128,7 +128,7 @@ bool RayBasis::is_ill_conditioned() const { return condition_exceeds(kIllConditi
 /// none does.
 int RayBasis::entering(int r, bool bland) {
   const Vector rho = row(r);
-  const double length = 1 / std::sqrt(per_square_[ix(r)]);
+  const double length = 1 / std::sqrt(per_square_[r]);
   const double below = -kZeroPrice * length;
   if (!bland) {
     const int q = least_price(rho, -kNoPrice * length);
@@ -147,8 +147,8 @@ void RayBasis::pivot(int r, int q) {
   Vector column{};
   columns_->column(q, column.data());
   kernels::exchange(inverse(), column.data(), r);
-  std::copy_n(column.begin(), K_, &matrix_[ix(r * K_)]);
-  head_[ix(r)] = q;
+  std::copy_n(column.begin(), K_, &matrix_[r * K_]);
+  head_[r] = q;
   ++pivots_;
   if (++since_refresh_ >= kRefresh && !refresh()) is_doubtful_ = true;
 }

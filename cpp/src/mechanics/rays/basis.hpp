@@ -30,7 +30,7 @@ class Columns {
   /// Writes column j, all rows.
   void column(int j, double* entries) const;
   /// Slack column of a finger's row; -1 for fingers in force control.
-  int slack(int finger) const { return slack_[static_cast<std::size_t>(finger)]; }
+  int slack(int finger) const { return slack_[finger]; }
 
  private:
   double* place(int j);

@@ -18,18 +18,16 @@ int blocks_for(int columns) { return (columns + kLanes - 1) / kLanes; }
 }  // namespace
 
 /// Returns the first entry of column j; the others follow at steps of kLanes.
-double* Columns::place(int j) {
-  return &table_[static_cast<std::size_t>(j / kLanes * kBlock + j % kLanes)];
-}
+double* Columns::place(int j) { return &table_[j / kLanes * kBlock + j % kLanes]; }
 
 void Columns::assign(const EnvironmentWrenches& environment,
                      const std::vector<const FingerWrenches*>& fingers, ForceMask force) {
   const int n = static_cast<int>(fingers.size());
   const int passive = static_cast<int>(environment.generators.cols());
   rows_ = 6 + n;
-  finger_row_.assign(static_cast<std::size_t>(blocks_for(passive)), 6);  // a row of zeros
+  finger_row_.assign(blocks_for(passive), 6);  // a row of zeros
   for (int i = 0; i < n; ++i) {
-    const int edges = static_cast<int>(fingers[static_cast<std::size_t>(i)]->normal.size());
+    const int edges = static_cast<int>(fingers[i]->normal.size());
     finger_row_.insert(finger_row_.end(), static_cast<std::size_t>(blocks_for(edges + 1)), 6 + i);
   }
   table_.assign(finger_row_.size() * kBlock, 0.0);
@@ -46,12 +44,12 @@ void Columns::assign(const EnvironmentWrenches& environment,
   put(environment.generators, 0);
   int next = kLanes * blocks_for(passive);
   for (int i = 0; i < n; ++i) {
-    const FingerWrenches& finger = *fingers[static_cast<std::size_t>(i)];
+    const FingerWrenches& finger = *fingers[i];
     const int edges = static_cast<int>(finger.normal.size());
     put(finger.generators, next);
     for (int j = 0; j < edges; ++j) place(next + j)[6 * kLanes] = finger.normal[j];
     const bool forced = (force >> i & 1U) != 0;
-    slack_[static_cast<std::size_t>(i)] = forced ? -1 : next + edges;
+    slack_[i] = forced ? -1 : next + edges;
     if (!forced) place(next + edges)[6 * kLanes] = 1;
     next += kLanes * blocks_for(edges + 1);
   }
@@ -59,9 +57,9 @@ void Columns::assign(const EnvironmentWrenches& environment,
 }
 
 void Columns::column(int j, double* entries) const {
-  const double* entry = &table_[static_cast<std::size_t>(j / kLanes * kBlock + j % kLanes)];
+  const double* entry = &table_[j / kLanes * kBlock + j % kLanes];
   for (int i = 0; i < rows_; ++i) entries[i] = i < 6 ? entry[i * kLanes] : 0;
-  const int row = finger_row_[static_cast<std::size_t>(j / kLanes)];
+  const int row = finger_row_[j / kLanes];
   if (row < rows_) entries[row] = entry[6 * kLanes];
 }
 

@@ -24,15 +24,15 @@ void Cuts::begin(int dims, const double* upper, double ceiling) {
   scale_ = 1;
   for (int k = 0; k < n_; ++k) {
     Row least{}, most{};
-    most[ix(k)] = 1;
-    most[ix(n_)] = k == 0 ? ceiling : upper[k - 1];
-    least[ix(k)] = -1;
+    most[k] = 1;
+    most[n_] = k == 0 ? ceiling : upper[k - 1];
+    least[k] = -1;
     if (k > 0) rows_.push_back(least);
     rows_.push_back(most);
-    active_[ix(k)] = most;
-    inverse_[ix(k)].fill(0);
-    inverse_[ix(k)][ix(k)] = 1;
-    weight_[ix(k)] = k == 0 ? 1 : 0;
+    active_[k] = most;
+    inverse_[k].fill(0);
+    inverse_[k][k] = 1;
+    weight_[k] = k == 0 ? 1 : 0;
     if (k > 0) scale_ = std::max(scale_, upper[k - 1]);
   }
   locate();
@@ -40,16 +40,16 @@ void Cuts::begin(int dims, const double* upper, double ceiling) {
 
 double Cuts::at(const Cut& cut) const {
   double value = cut.a;
-  for (int k = 1; k < n_; ++k) value += cut.b[ix(k - 1)] * v_[ix(k)];
+  for (int k = 1; k < n_; ++k) value += cut.b[k - 1] * v_[k];
   return value;
 }
 
 /// Violation of a row by (z, f), per unit of its coefficients.
 double Cuts::excess(const Row& row) const {
-  double value = -row[ix(n_)], size = 0;
+  double value = -row[n_], size = 0;
   for (int k = 0; k < n_; ++k) {
-    value += row[ix(k)] * v_[ix(k)];
-    size = std::max(size, std::abs(row[ix(k)]));
+    value += row[k] * v_[k];
+    size = std::max(size, std::abs(row[k]));
   }
   return value / size;
 }
@@ -60,14 +60,14 @@ void Cuts::locate() {
   v_.fill(0);
   for (int step = 0; step < 2; ++step) {
     for (int i = 0; i < n_; ++i) {
-      const Row& row = active_[ix(i)];
-      double sum = row[ix(n_)];
-      for (int k = 0; k < n_; ++k) sum -= row[ix(k)] * v_[ix(k)];
-      residual[ix(i)] = sum;
+      const Row& row = active_[i];
+      double sum = row[n_];
+      for (int k = 0; k < n_; ++k) sum -= row[k] * v_[k];
+      residual[i] = sum;
     }
     for (int k = 0; k < n_; ++k) {
       for (int i = 0; i < n_; ++i) {
-        v_[ix(k)] += inverse_[ix(k)][ix(i)] * residual[ix(i)];
+        v_[k] += inverse_[k][i] * residual[i];
       }
     }
   }
@@ -81,41 +81,41 @@ void Cuts::make_active(const Row& row) {
   for (int i = 0; i < n_; ++i) {
     double sum = 0;
     for (int k = 0; k < n_; ++k) {
-      sum += row[ix(k)] * inverse_[ix(k)][ix(i)];
+      sum += row[k] * inverse_[k][i];
     }
-    share[ix(i)] = sum;
+    share[i] = sum;
     if (sum <= 1e-12) continue;
-    const double ratio = weight_[ix(i)] / sum;
-    if (leaving >= 0 && (ratio > least || (ratio == least && sum < share[ix(leaving)]))) {
+    const double ratio = weight_[i] / sum;
+    if (leaving >= 0 && (ratio > least || (ratio == least && sum < share[leaving]))) {
       continue;
     }
     leaving = i;
     least = ratio;
   }
   if (leaving < 0) return;  // only rounding errors lead here
-  const double pivot = share[ix(leaving)];
+  const double pivot = share[leaving];
   for (int i = 0; i < n_; ++i) {
     if (i != leaving) {
-      weight_[ix(i)] = std::max(0.0, weight_[ix(i)] - least * share[ix(i)]);
+      weight_[i] = std::max(0.0, weight_[i] - least * share[i]);
     }
   }
-  weight_[ix(leaving)] = least;
+  weight_[leaving] = least;
   for (int k = 0; k < n_; ++k) {
-    auto& line = inverse_[ix(k)];
-    line[ix(leaving)] /= pivot;
+    auto& line = inverse_[k];
+    line[leaving] /= pivot;
     for (int i = 0; i < n_; ++i) {
-      if (i != leaving) line[ix(i)] -= share[ix(i)] * line[ix(leaving)];
+      if (i != leaving) line[i] -= share[i] * line[leaving];
     }
   }
-  active_[ix(leaving)] = row;
+  active_[leaving] = row;
 }
 
 bool Cuts::add(const Cut& cut) {
   const std::array<double, kDims> before = v_;
   Row row{};
   row[0] = 1;
-  for (int k = 1; k < n_; ++k) row[ix(k)] = -cut.b[ix(k - 1)];
-  row[ix(n_)] = cut.a;
+  for (int k = 1; k < n_; ++k) row[k] = -cut.b[k - 1];
+  row[n_] = cut.a;
   rows_.push_back(row);
   for (int pivot = 0; pivot < kMaxPivots; ++pivot) {
     const Row* worst = nullptr;

@@ -40,10 +40,10 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
   force_scale_ = 0;
   std::array<double, kMaxFingers> upper{};
   for (int i = 0; i < fingers_; ++i) {
-    limit_[ix(i)] = fingers[ix(i)]->max_normal_force;
-    dim_[ix(i)] = (force >> i & 1U) == 0 ? -1 : dims_;
-    if (dim_[ix(i)] >= 0) upper[ix(dims_++)] = limit_[ix(i)];
-    force_scale_ += limit_[ix(i)];
+    limit_[i] = fingers[i]->max_normal_force;
+    dim_[i] = (force >> i & 1U) == 0 ? -1 : dims_;
+    if (dim_[i] >= 0) upper[dims_++] = limit_[i];
+    force_scale_ += limit_[i];
   }
   used_ = environments.size();
   if (environments_.size() < used_) environments_.resize(used_);
@@ -71,11 +71,11 @@ bool CyclicCuts::prepare(const std::vector<const EnvironmentWrenches*>& environm
 RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, double z) const {
   RayBasis::Vector b{};
   for (int i = 0; i < 6; ++i) {
-    b[ix(i)] = z * directions_(i, direction) - environments_[environment].known[i];
+    b[i] = z * directions_(i, direction) - environments_[environment].known[i];
   }
   for (int i = 0; i < fingers_; ++i) {
-    const int dim = dim_[ix(i)];
-    b[ix(6 + i)] = dim < 0 ? limit_[ix(i)] : model_.f()[dim];
+    const int dim = dim_[i];
+    b[6 + i] = dim < 0 ? limit_[i] : model_.f()[dim];
   }
   return b;
 }
@@ -84,25 +84,25 @@ RayBasis::Vector CyclicCuts::target(std::size_t environment, int direction, doub
 void CyclicCuts::Unreached::restart(const Matrix6Xd& all) {
   left = static_cast<int>(all.cols());
   if (!order.empty()) return;
-  order.resize(ix(left));
+  order.resize(left);
   std::iota(order.begin(), order.end(), 0);
   const int blocks = (left + kLanes - 1) / kLanes;
-  slack.resize(ix(blocks * kLanes));
-  table.assign(ix(blocks * 6 * kLanes), 0.0);
+  slack.resize(blocks * kLanes);
+  table.assign(blocks * 6 * kLanes, 0.0);
   for (int at = 0; at < left; ++at) {
     for (int i = 0; i < 6; ++i) *place(at, i) = all(i, at);
   }
 }
 
 double* CyclicCuts::Unreached::place(int at, int axis) {
-  return &table[ix((at / kLanes * 6 + axis) * kLanes + at % kLanes)];
+  return &table[(at / kLanes * 6 + axis) * kLanes + at % kLanes];
 }
 
 /// Removes a direction that is reached: the last one left takes its place.
 void CyclicCuts::Unreached::remove(int at) {
   --left;
-  std::swap(order[ix(at)], order[ix(left)]);
-  slack[ix(at)] = slack[ix(left)];
+  std::swap(order[at], order[left]);
+  slack[at] = slack[left];
   for (int i = 0; i < 6; ++i) std::swap(*place(at, i), *place(left, i));
 }
 
@@ -122,14 +122,14 @@ int CyclicCuts::sweep(std::size_t index, double z) {
                   (u.left + kLanes - 1) / kLanes, u.slack.data());
   int nearest = -1;
   for (int at = u.left - 1; at >= 0; --at) {
-    if (u.slack[ix(at)] >= allowed) {
+    if (u.slack[at] >= allowed) {
       u.remove(at);
       if (nearest == u.left) nearest = at;
-    } else if (nearest < 0 || u.slack[ix(at)] > u.slack[ix(nearest)]) {
+    } else if (nearest < 0 || u.slack[at] > u.slack[nearest]) {
       nearest = at;
     }
   }
-  return nearest < 0 ? -1 : u.order[ix(nearest)];
+  return nearest < 0 ? -1 : u.order[nearest];
 }
 
 /// Returns true if all targets z l_d are reached in an environment. Stops at a facet that excludes
@@ -154,16 +154,16 @@ Cuts::Cut CyclicCuts::cut(std::size_t index) const {
   double width = 0;
   for (int d = 0; d < count_; ++d) {
     double sum = 0;
-    for (int i = 0; i < 6; ++i) sum -= rho[ix(i)] * directions_(i, d);
+    for (int i = 0; i < 6; ++i) sum -= rho[i] * directions_(i, d);
     width = std::max(width, sum);
   }
   Cuts::Cut cut;
-  for (int i = 0; i < 6; ++i) cut.a -= rho[ix(i)] * e.known[i];
+  for (int i = 0; i < 6; ++i) cut.a -= rho[i] * e.known[i];
   for (int i = 0; i < fingers_; ++i) {
-    if (dim_[ix(i)] < 0) {
-      cut.a += rho[ix(6 + i)] * limit_[ix(i)];
+    if (dim_[i] < 0) {
+      cut.a += rho[6 + i] * limit_[i];
     } else {
-      cut.b[ix(dim_[ix(i)])] = rho[ix(6 + i)] / width;
+      cut.b[dim_[i]] = rho[6 + i] / width;
     }
   }
   cut.a /= width;
@@ -172,13 +172,12 @@ Cuts::Cut CyclicCuts::cut(std::size_t index) const {
 
 void CyclicCuts::keep_support(const RayBasis::Vector& facet) {
   Vector6d y;
-  for (int i = 0; i < 6; ++i) y[i] = -facet[ix(i)];
+  for (int i = 0; i < 6; ++i) y[i] = -facet[i];
   supports_.push_back(y.normalized());
 }
 
 bool CyclicCuts::is_doubtful() const {
-  return std::any_of(environments_.begin(),
-                     environments_.begin() + static_cast<std::ptrdiff_t>(used_),
+  return std::any_of(environments_.begin(), environments_.begin() + used_,
                      [](const Environment& e) { return e.basis.is_doubtful(); });
 }
 
@@ -186,8 +185,8 @@ CyclicCuts::Result CyclicCuts::finish() const {
   Result result;
   result.z = model_.z() > kNothing * force_scale_ ? model_.z() : 0;
   for (int i = 0; i < fingers_; ++i) {
-    if (dim_[ix(i)] < 0) continue;
-    result.f_com[ix(i)] = std::clamp(model_.f()[dim_[ix(i)]], 0.0, limit_[ix(i)]);
+    if (dim_[i] < 0) continue;
+    result.f_com[i] = std::clamp(model_.f()[dim_[i]], 0.0, limit_[i]);
   }
   return result;
 }

@@ -25,7 +25,7 @@ constexpr double kHeld = 1e-3;   // fraction of kTouch within which the hull con
 
 void Jamming::put(const Matrix6Xd& generators) {
   for (Eigen::Index j = 0; j < generators.cols(); ++j, ++count_) {
-    double* entry = &blocks_[ix(count_ / kLanes * kBlock + count_ % kLanes)];
+    double* entry = &blocks_[count_ / kLanes * kBlock + count_ % kLanes];
     for (int i = 0; i < 6; ++i) entry[i * kLanes] = generators(i, j);
     touch_ = std::max(touch_, generators.col(j).squaredNorm());
     sum_ += generators.col(j);
@@ -41,7 +41,7 @@ void Jamming::assign(const EnvironmentWrenches& environment,
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     if ((force >> i & 1U) == 0) columns += jam(*fingers[i]).cols();
   }
-  rows_.assign(static_cast<std::size_t>((columns + kLanes - 1) / kLanes), 6);
+  rows_.assign((columns + kLanes - 1) / kLanes, 6);
   blocks_.assign(rows_.size() * kBlock, 0.0);
   count_ = 0;
   touch_ = 0;
@@ -54,14 +54,14 @@ void Jamming::assign(const EnvironmentWrenches& environment,
   for (int j = count_; count_ > 0 && j % kLanes != 0;
        ++j) {  // pads with copies of the first column
     for (int i = 0; i < 6; ++i) {
-      blocks_[ix(j / kLanes * kBlock + i * kLanes + j % kLanes)] = blocks_[ix(i * kLanes)];
+      blocks_[j / kLanes * kBlock + i * kLanes + j % kLanes] = blocks_[i * kLanes];
     }
   }
 }
 
 Vector6d Jamming::wrench(int j) const {
   Vector6d g;
-  const double* entry = &blocks_[ix(j / kLanes * kBlock + j % kLanes)];
+  const double* entry = &blocks_[j / kLanes * kBlock + j % kLanes];
   for (int i = 0; i < 6; ++i) g[i] = entry[i * kLanes];
   return g;
 }

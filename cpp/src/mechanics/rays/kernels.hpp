@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-
 namespace graspless::mechanics {
-
-/// An int as the index of a standard container.
-constexpr std::size_t ix(int i) { return static_cast<std::size_t>(i); }
 
 namespace kernels {
 

@@ -69,10 +69,10 @@ void RayBasis::measure() {
   for (int r = 0; r < K_; ++r) {
     double square = 0;
     for (int k = 0; k < rows_; ++k) {
-      const double value = inverse_[static_cast<std::size_t>(k * K_ + r)];
+      const double value = inverse_[k * K_ + r];
       square += value * value;
     }
-    per_square_[static_cast<std::size_t>(r)] = 1 / (square > 0 ? square : 1);
+    per_square_[r] = 1 / (square > 0 ? square : 1);
   }
 }
 

@@ -40,7 +40,7 @@ void validate_commanded_forces(const ContactSet& set, const std::vector<FingerMo
   require_one_each(set, "commanded_forces", static_cast<std::size_t>(commanded_forces.size()));
   for (std::size_t i = 0; i < modes.size(); ++i) {
     if (modes[i] != FingerMode::force) continue;
-    const double force = commanded_forces[static_cast<Eigen::Index>(i)];
+    const double force = commanded_forces[i];
     const double limit = set.fingers[i].max_normal_force;
     if (force >= 0 && force <= limit * (1 + kAboveLimit)) continue;
     throw std::invalid_argument("commanded_forces[" + std::to_string(i) +

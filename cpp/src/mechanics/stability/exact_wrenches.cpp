@@ -20,7 +20,7 @@ using QuadWrench = std::array<Quad, 6>;
 
 QuadWrench widened(const Vector6d& wrench) {
   QuadWrench wide;
-  for (int i = 0; i < 6; ++i) wide[static_cast<std::size_t>(i)] = wrench[i];
+  for (int i = 0; i < 6; ++i) wide[i] = wrench[i];
   return wide;
 }
 
@@ -28,8 +28,7 @@ QuadWrench scaled(const Matrix6d& scale, const QuadWrench& wrench) {
   QuadWrench result{};
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
-      result[static_cast<std::size_t>(i)] +=
-          Quad{scale(i, j)} * wrench[static_cast<std::size_t>(j)];
+      result[i] += Quad{scale(i, j)} * wrench[j];
     }
   }
   return result;
@@ -38,7 +37,7 @@ QuadWrench scaled(const Matrix6d& scale, const QuadWrench& wrench) {
 /// R^1/2 W of the unit force along `edge` at p_OC.
 QuadWrench wrench(const ContactSet& set, const Eigen::Vector3d& p_OC, const Eigen::Vector3d& edge) {
   std::array<Quad, 3> r{};
-  for (int i = 0; i < 3; ++i) r[static_cast<std::size_t>(i)] = Quad{p_OC[i]} - Quad{set.com_O[i]};
+  for (int i = 0; i < 3; ++i) r[i] = Quad{p_OC[i]} - Quad{set.com_O[i]};
   const Quad x = edge.x(), y = edge.y(), z = edge.z();
   return scaled(set.wrench_scale,
                 {x, y, z, r[1] * z - r[2] * y, r[2] * x - r[0] * z, r[0] * y - r[1] * x});
@@ -50,8 +49,7 @@ Eigen::MatrixXd rounded(const Eigen::MatrixXd& rows, const std::vector<QuadWrenc
     for (Eigen::Index i = 0; i < product.rows(); ++i) {
       Quad sum = 0;
       for (int k = 0; k < 6; ++k) {
-        sum +=
-            Quad{rows(i, k)} * wrenches[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+        sum += Quad{rows(i, k)} * wrenches[j][k];
       }
       product(i, j) = static_cast<double>(sum);
     }
@@ -83,7 +81,7 @@ Eigen::MatrixXd exact_environment(const Eigen::MatrixXd& rows, const ContactSet&
 
 Eigen::MatrixXd exact_finger(const Eigen::MatrixXd& rows, const ContactSet& set, int finger) {
   std::vector<QuadWrench> wrenches;
-  append(set, set.fingers[static_cast<std::size_t>(finger)], &wrenches);
+  append(set, set.fingers[finger], &wrenches);
   return rounded(rows, wrenches);
 }
 

@@ -52,7 +52,7 @@ FixedForces::FixedForces(const ContactSet& set, const std::vector<FingerMode>& m
   }
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     const FingerWrenches& finger = fingers[i];
-    const double f_com = commanded_forces[static_cast<Eigen::Index>(i)];
+    const double f_com = commanded_forces[i];
     const int row = modes[i] == FingerMode::force
                         ? program_.add_row(f_com, f_com)
                         : program_.add_row(-kInfinity, finger.max_normal_force);
@@ -80,7 +80,7 @@ Eigen::VectorXd FixedForces::sliding_forces(const Vector6d& target) const {
   LinearProgram program = program_;
   set_balance(&program, even_ * target - known_);
   for (std::size_t i = 0; i < sliding_.size(); ++i) {
-    program.objective[static_cast<std::size_t>(sliding_[i])] = -normal_[i];
+    program.objective[sliding_[i]] = -normal_[i];
   }
   const LpSolution solution = solve_lp(program);
   if (solution.status != LpStatus::optimal) {
@@ -88,7 +88,7 @@ Eigen::VectorXd FixedForces::sliding_forces(const Vector6d& target) const {
   }
   Eigen::VectorXd forces(static_cast<Eigen::Index>(sliding_.size()));
   for (std::size_t i = 0; i < sliding_.size(); ++i) {
-    forces[static_cast<Eigen::Index>(i)] = normal_[i] * std::max(0.0, solution.x[sliding_[i]]);
+    forces[i] = normal_[i] * std::max(0.0, solution.x[sliding_[i]]);
   }
   return forces;
 }

@@ -193,7 +193,7 @@ class StableEnough : public Property {
       const Eigen::VectorXd forces = balance.sliding_forces(z * q_.directions.col(d));
       std::vector<Vector6d> drags(piece.size(), Vector6d::Zero());
       for (std::size_t i = 0; i < drag_.size(); ++i) {
-        drags[drag_[i].surface] += forces[static_cast<Eigen::Index>(i)] * drag_[i].wrench;
+        drags[drag_[i].surface] += forces[i] * drag_[i].wrench;
       }
       for (std::size_t s = 0; s < piece.size(); ++s) {
         misses[s].push_back(drags[s]);

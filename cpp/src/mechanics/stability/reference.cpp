@@ -186,12 +186,11 @@ std::vector<int> Reference::binding(const std::vector<Balance>& balances, ForceM
   std::vector<int> found;
   for (Eigen::Index d = 0; d < directions.cols(); ++d) {
     Program p = program(balances, force, directions.col(d));
-    p.lp.upper[static_cast<std::size_t>(p.z)] = 2 * beyond / p.z_unit;
+    p.lp.upper[p.z] = 2 * beyond / p.z_unit;
     for (std::size_t i = 0; i < fingers_.size(); ++i) {
       if (p.f_com[i] < 0) continue;
       const auto k = static_cast<std::size_t>(p.f_com[i]);
-      p.lp.lower[k] = p.lp.upper[k] =
-          stability.commanded_forces[static_cast<Eigen::Index>(i)] / p.force;
+      p.lp.lower[k] = p.lp.upper[k] = stability.commanded_forces[i] / p.force;
     }
     if (solve_lp(p.lp).objective * p.z_unit < beyond) found.push_back(static_cast<int>(d));
   }
@@ -217,7 +216,7 @@ Stability Reference::evaluate(const std::vector<Balance>& balances, ForceMask fo
   if (solution.status != LpStatus::optimal) return stability;
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
     if (p.f_com[i] < 0) continue;
-    stability.commanded_forces[static_cast<Eigen::Index>(i)] =
+    stability.commanded_forces[i] =
         std::clamp(solution.x[p.f_com[i]] * p.force, 0.0, fingers_[i].max_normal_force);
   }
   return stability;

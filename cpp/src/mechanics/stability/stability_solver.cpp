@@ -31,7 +31,7 @@ bool span_positively(const Matrix6Xd& directions) {
   if (!basis.complete({})) return false;
   for (int axis = 0; axis < 12; ++axis) {
     RayBasis::Vector target{};
-    target[static_cast<std::size_t>(axis % 6)] = axis < 6 ? 1 : -1;
+    target[axis % 6] = axis < 6 ? 1 : -1;
     if (basis.reach(target, 1e-12) == RayBasis::Outcome::facet) return false;
   }
   return true;
@@ -122,6 +122,12 @@ void StabilitySolver::set(const std::vector<const EnvironmentWrenches*>& environ
   if (std::any_of(environments.begin(), environments.end(), is_null) ||
       std::any_of(fingers.begin(), fingers.end(), is_null))
     throw std::invalid_argument("environments and fingers must not be null");
+  for (const FingerWrenches* finger : fingers) {
+    const auto edges = finger->generators.cols(), jam = finger->jam_generators.cols();
+    if (finger->normal.size() != edges || (jam != 0 && jam != edges))
+      throw std::invalid_argument(
+          "fingers must have one normal force for each of their generators");
+  }
   if (fingers.size() > kMaxFingers) {
     throw std::invalid_argument("fingers must be at most " + std::to_string(kMaxFingers) +
                                 ", not " + std::to_string(fingers.size()));

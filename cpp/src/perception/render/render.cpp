@@ -18,6 +18,7 @@
 #include "graspless/geometry/pose.hpp"
 #include "graspless/watch.hpp"
 
+#include "geometry/box_mesh.hpp"
 #include "geometry/convex_hull.hpp"
 
 namespace graspless::perception {
@@ -33,22 +34,13 @@ constexpr double kLeastDepth = 1e-3;  // of a depth [m]: the image of what is ne
 RayKernel::Point_3 to_point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 Eigen::Vector3d from_point(const RayKernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-geometry::Mesh corners_hull(const Eigen::Vector3d& size) {
-  Eigen::Matrix3Xd corners(3, 8);
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d sign(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    corners.col(i) = sign.cwiseProduct(size) / 2;
-  }
-  return geometry::convex_hull(corners);
-}
-
 geometry::Mesh triangulated(const geometry::Shape& shape, const std::string& what) {
   geometry::validate(shape, what);
   if (const auto* mesh = std::get_if<geometry::Mesh>(&shape)) return *mesh;
   if (const auto* convex = std::get_if<geometry::Convex>(&shape)) {
     return geometry::convex_hull(convex->vertices);
   }
-  if (const auto* box = std::get_if<geometry::Box>(&shape)) return corners_hull(box->size);
+  if (const auto* box = std::get_if<geometry::Box>(&shape)) return geometry::box_mesh(box->size);
   throw std::invalid_argument(what +
                               " has no triangles; it must be a Box, Convex or Mesh to be rendered");
 }

@@ -102,7 +102,7 @@ void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Mo
   }
   model.step_weights.setOnes(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const urdf::Joint& joint = *joints[static_cast<std::size_t>(i)];
+    const urdf::Joint& joint = *joints[i];
     if (joint.type == urdf::Joint::PRISMATIC) model.step_weights(i) = kRadPerMeter;
     std::tie(model.lower(i), model.upper(i)) = bounds(joint);
     if (!joint.limits) continue;
@@ -244,8 +244,8 @@ void make_paths(Robot::Model& model) {
   model.movers.resize(model.links.size());
   for (std::size_t i = 1; i < model.links.size(); ++i) {
     const Link& link = model.links[i];
-    model.paths[i] = model.paths[static_cast<std::size_t>(link.parent)];
-    model.movers[i] = model.movers[static_cast<std::size_t>(link.parent)];
+    model.paths[i] = model.paths[link.parent];
+    model.movers[i] = model.movers[link.parent];
     model.paths[i].push_back(static_cast<int>(i));
     if (link.joint >= 0) model.movers[i].push_back(static_cast<int>(i));
   }

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/slide/resume.hpp"
 #include "graspless/watch.hpp"
 
-#include "collision/bounds.hpp"
 #include "geometry/segment.hpp"
 #include "slide/check/examination.hpp"
 #include "slide/check/replay.hpp"
@@ -89,15 +89,15 @@ bool Examination::has_shape() {
     }
     for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
       const bool sound = robot::is_configuration(problem_.robot, s.positions[i]) &&
-                         collision::is_pose(s.object_poses[i]);
+                         geometry::is_pose(s.object_poses[i]);
       if (!sound) fault(s, i, "has the wrong size, a value that is not finite, or no pose");
     }
   }
-  if (!collision::is_pose(plan_.X_WO_goal) || !collision::is_pose(plan_.X_WH_grasp)) {
+  if (!geometry::is_pose(plan_.X_WO_goal) || !geometry::is_pose(plan_.X_WH_grasp)) {
     fault("plan", "X_WO_goal or X_WH_grasp is no pose within 1e4 m");
   }
   if (plan_.resumed && !(robot::is_configuration(problem_.robot, plan_.resumed->q) &&
-                         collision::is_pose(plan_.resumed->X_WO))) {
+                         geometry::is_pose(plan_.resumed->X_WO))) {
     fault("resumed", "q has the wrong size or a value that is not finite, or X_WO is no pose");
   }
   return faults_.empty();

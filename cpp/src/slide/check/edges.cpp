@@ -82,7 +82,7 @@ std::vector<scene::Doubt> Examination::prove_free(const Segment& segment) const 
     const Finger start = finger(segment.positions.front());
     object.place = [this, &world, &X_WO_first, start](std::size_t, double,
                                                       const robot::Poses& X_WL) {
-      const Eigen::Isometry3d& X_WF = X_WL[static_cast<std::size_t>(fingertip_)];
+      const Eigen::Isometry3d& X_WF = X_WL[fingertip_];
       world.move_object(followed(X_WO_first, start, finger(X_WF)));
     };
     const FollowingObject path(problem_, segment, fingertip_,

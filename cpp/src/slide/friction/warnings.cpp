@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "slide/refusals.hpp"
+#include "text.hpp"
 
 namespace graspless::slide {
 namespace {
@@ -33,8 +34,7 @@ std::optional<Warning> of_drag(const Problem& problem, const Rows& rows, double 
 /// Eq. (2) lets the object turn with the finger; the pad's friction limits how fast. The object may
 /// lag behind.
 std::optional<Warning> of_torsion(const Problem& problem, const Rows& rows, double beyond) {
-  constexpr double kDegree = 0.017453292519943295;  // [rad]
-  constexpr double kSmallLag = 2;                   // not worth a warning [deg]
+  constexpr double kSmallLag = 2;  // not worth a warning [deg]
   const Turning slide = turning(problem, rows);
   const double lag = slide.lag / kDegree;
   if (lag < kSmallLag * beyond) return std::nullopt;

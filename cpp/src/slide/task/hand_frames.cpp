@@ -49,9 +49,9 @@ Vector3d middle_of(const Problem& problem, const std::vector<std::string>& links
   Vector3d sum = Vector3d::Zero();
   int count = 0;
   for (const robot::LinkShape& shape : robot.shapes()) {
-    const std::string& link = robot.frame_names()[static_cast<std::size_t>(shape.link)];
+    const std::string& link = robot.frame_names()[shape.link];
     if (!robot::contains(links, link)) continue;
-    sum += middle_of(shape, X_WL[static_cast<std::size_t>(shape.link)]);
+    sum += middle_of(shape, X_WL[shape.link]);
     ++count;
   }
   if (count == 0) throw std::invalid_argument(what + " must name a link with a collision shape");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "graspless/geometry/pose.hpp"
 #include "graspless/mechanics/contact.hpp"
 
 #include "slide/task/prisms.hpp"
@@ -28,15 +29,15 @@ std::vector<bool> usable(const std::optional<std::vector<int>>& edges, int count
   if (edges->empty()) {
     throw std::invalid_argument("support usable_edges is empty; it must name at least one edge");
   }
-  std::vector<bool> flags(static_cast<std::size_t>(count), false);
+  std::vector<bool> flags(count, false);
   for (const int edge : *edges) {
     const bool is_known = edge >= 0 && edge < count;
-    if (!is_known || flags[static_cast<std::size_t>(edge)]) {
+    if (!is_known || flags[edge]) {
       throw std::invalid_argument(
           "support usable_edges has " + std::to_string(edge) +
           (is_known ? " twice" : "; edges are numbered from 0 to " + std::to_string(count - 1)));
     }
-    flags[static_cast<std::size_t>(edge)] = true;
+    flags[edge] = true;
   }
   return flags;
 }
@@ -53,11 +54,8 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
       is_usable_(usable(usable_edges, polygon.size())),
       shapes_(prisms(polygon, -slab, 0)),
       solid_(shapes_, "support") {
-  const Eigen::Matrix3d R = X_WS.linear();
-  if (!X_WS.matrix().allFinite() || !(R * R.transpose()).isIdentity(1e-6) || R.determinant() < 0) {
-    throw std::invalid_argument("support X_WS must be a rigid pose");
-  }
-  const double tilt = std::acos(std::min(1.0, std::max(-1.0, R(2, 2))));
+  geometry::require_pose(X_WS, "support X_WS");
+  const double tilt = std::acos(std::clamp(X_WS.linear()(2, 2), -1.0, 1.0));
   constexpr double kMaxTilt = 1.0471975511965976;
   if (tilt > kMaxTilt) {
     throw std::invalid_argument("support is tilted by " + figure(tilt) + " rad; at most " +

@@ -79,7 +79,7 @@ TEST_F(ClaspCheck, AJump) {
   auto& rows = reach().positions;
   rows.erase(rows.begin() + 1, rows.begin() + 4);
   Eigen::MatrixXd& linking = reach().virtual_linking;
-  linking = Eigen::MatrixXd(linking.rightCols(static_cast<Eigen::Index>(rows.size())));
+  linking = Eigen::MatrixXd(linking.rightCols(rows.size()));
   expect_fault("rad between rows");
 }
 

@@ -33,14 +33,14 @@ TEST_P(HandKinematicsOf, CurvesRunFromTheFingersTipToTheThumbs) {
   const VectorXd q = robot::random_q(robot_.robot, rng_);
   kinematics_.update(q);
   for (int i = 0; i < kinematics_.num_curves(); ++i) {
-    std::vector<CurveNode> nodes = hand.fingers[static_cast<std::size_t>(i)].nodes;
+    std::vector<CurveNode> nodes = hand.fingers[i].nodes;
     std::reverse(nodes.begin(), nodes.end());
     nodes.insert(nodes.end(), hand.thumb.nodes.begin(), hand.thumb.nodes.end());
     const Eigen::Matrix3Xd points = kinematics_.curve_points(i);
     ASSERT_EQ(nodes.size(), static_cast<std::size_t>(points.cols()));
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const Vector3d p_W = place(robot_, nodes[k], q);
-      EXPECT_LT((points.col(static_cast<Eigen::Index>(k)) - p_W).norm(), 1e-12);
+      EXPECT_LT((points.col(k) - p_W).norm(), 1e-12);
     }
   }
 }

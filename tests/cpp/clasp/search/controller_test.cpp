@@ -44,7 +44,7 @@ class ControllerOf : public testing::TestWithParam<std::string> {
   VectorXd hand(const VectorXd& q) {
     const std::vector<int>& joints = robot_.robot.group(robot_.hand.hand);
     VectorXd part(static_cast<Eigen::Index>(joints.size()));
-    for (Eigen::Index i = 0; i < part.size(); ++i) part[i] = q[joints[static_cast<std::size_t>(i)]];
+    for (Eigen::Index i = 0; i < part.size(); ++i) part[i] = q[joints[i]];
     return part;
   }
 
@@ -177,7 +177,7 @@ RobotWithHand without_arm_joint(int left_out) {
   std::string srdf{std::istreambuf_iterator<char>(file), {}};
   std::string group = "<group name=\"rest\">";
   for (const int j : whole.robot.group("arm")) {
-    const std::string& name = whole.robot.joint_names()[static_cast<std::size_t>(j)];
+    const std::string& name = whole.robot.joint_names()[j];
     if (j != left_out) group += "<joint name=\"" + name + "\"/>";
   }
   robot::Robot::Options options;

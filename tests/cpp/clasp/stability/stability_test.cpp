@@ -176,7 +176,7 @@ TEST(LinkBalls, LieWithinTheLinks) {
       const int point = world.add_body("point", {{geometry::Sphere{1e-5}}});
       for (const robot::LinkShape& shape : r.robot.shapes()) {
         const int body = world.add_body(std::to_string(world.num_bodies()), {shape.placed});
-        world.set_pose(body, X_WL[static_cast<std::size_t>(shape.link)]);
+        world.set_pose(body, X_WL[shape.link]);
         world.add_pair(point, body);
       }
       world.set_pose(point, Eigen::Isometry3d(Eigen::Translation3d(
@@ -202,7 +202,7 @@ TEST(LinkBalls, FillCapsules) {
       for (int i = 0; i < 20; ++i) {
         const double along = (unit(rng) - 0.5) * capsule->length, angle = 2 * M_PI * unit(rng);
         const double out = capsule->radius - 0.002;
-        const Vector3d p = X_WL[static_cast<std::size_t>(shape.link)] * shape.placed.X_BG *
+        const Vector3d p = X_WL[shape.link] * shape.placed.X_BG *
                            Vector3d(out * std::cos(angle), out * std::sin(angle), along);
         const VectorXd gaps = (centers.colwise() - p).colwise().norm().transpose() - balls.radii();
         EXPECT_LE(gaps.minCoeff(), 0) << name;

@@ -69,7 +69,7 @@ class Builder {
     Eigen::Index k = 0;
     for (FingerState& finger : row.fingers) {
       if (!finger.touches) continue;
-      finger.mode = best.modes[static_cast<std::size_t>(k)];
+      finger.mode = best.modes[k];
       finger.commanded_force = best.stability.commanded_forces[k];
       finger.nominal_force_O = nominal->finger_forces_O.col(k++);
     }
@@ -99,7 +99,7 @@ class Builder {
 
   Segment regrasp(const Eigen::Isometry3d& X_WO, const Vector6d& twist_W, int finger,
                   std::vector<FingerState> fingers) const {
-    fingers[static_cast<std::size_t>(finger)].touches = false;
+    fingers[finger].touches = false;
     return {"regrasp", {X_WO}, {row(X_WO, twist_W, true, fingers)}, finger};
   }
 

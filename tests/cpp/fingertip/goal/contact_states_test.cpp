@@ -121,7 +121,7 @@ TEST(ContactStates, SequencesOfABox) {
     if (states[i].n_O.dot(states[0].n_O) < -0.5) opposite = i;
   }
   const int beside = states[0].edges.front().to;
-  EXPECT_EQ(states.tumbles_to(0)[static_cast<std::size_t>(opposite)], 2);
+  EXPECT_EQ(states.tumbles_to(0)[opposite], 2);
   EXPECT_EQ(tumble_sequences(states, 0, opposite, 1, 100).size(), 0U);
   EXPECT_EQ(tumble_sequences(states, 0, opposite, 2, 100).size(), 4U);
   EXPECT_EQ(tumble_sequences(states, 0, beside, 1, 100).size(), 1U);

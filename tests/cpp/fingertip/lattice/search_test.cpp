@@ -101,7 +101,7 @@ class BruteForce {
             p / lattice_.counts[0] / lattice_.counts[1]};
   }
   double value(int axis, int i) const {
-    const int n = lattice_.counts[static_cast<std::size_t>(axis)];
+    const int n = lattice_.counts[axis];
     return n == 1
                ? lattice_.lower[axis]
                : lattice_.lower[axis] + (lattice_.upper[axis] - lattice_.lower[axis]) * i / (n - 1);

@@ -126,7 +126,7 @@ std::array<int, 3> compare_with_dijkstra(unsigned first, unsigned last) {
     EXPECT_NEAR(route.cost, cost_of(*instance, route), 1e-9 * (1 + expected.cost));
     EXPECT_EQ(route.lower_bound, route.cost);
     EXPECT_LE(num_regrasps(route), instance->options.max_regrasps);
-    ++solved[static_cast<std::size_t>(std::min(2, num_regrasps(route)))];
+    ++solved[std::min(2, num_regrasps(route))];
   }
   return solved;
 }

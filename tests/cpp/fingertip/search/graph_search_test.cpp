@@ -121,7 +121,7 @@ TEST(FingertipGraphSearch, AgreesWithBruteForceOverTheWholeGraph) {
         std::map<Placement, double> hub;
         for (const Placement& p : all) {
           for (int i = 0; i < it.graph.num_fingers; ++i) {
-            const Placement kept = without(p, p[static_cast<std::size_t>(i)]);
+            const Placement kept = without(p, p[i]);
             const auto entry = hub.try_emplace(kept, INFINITY).first;
             entry->second = std::min(entry->second, cost[p]);
           }
@@ -129,7 +129,7 @@ TEST(FingertipGraphSearch, AgreesWithBruteForceOverTheWholeGraph) {
         for (const Placement& p : all) {
           if (!is_feasible(it.graph, pose, p)) continue;
           for (int i = 0; i < it.graph.num_fingers; ++i) {
-            const Placement kept = without(p, p[static_cast<std::size_t>(i)]);
+            const Placement kept = without(p, p[i]);
             const double way = hub[kept] + it.options.regrasp_cost;
             if (!(way < cost[p] - 1e-12)) continue;
             if (it.evaluator.stability(it.graph.rest_instant(pose), kept) == 0) continue;

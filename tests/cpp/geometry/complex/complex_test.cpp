@@ -90,8 +90,8 @@ std::vector<std::pair<double, double>> textbook(const Filtration& filtration) {
   std::vector<std::pair<double, double>> pairs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (born[i] < 0) continue;
-    const double birth = order[static_cast<std::size_t>(born[i])].first;
-    const double death = order[static_cast<std::size_t>(*rows[i].rbegin())].first;
+    const double birth = order[born[i]].first;
+    const double death = order[*rows[i].rbegin()].first;
     if (birth < death) pairs.emplace_back(birth, death);
   }
   std::sort(pairs.begin(), pairs.end());
@@ -188,7 +188,7 @@ TEST(Filtration, FindsTheHolesOfKnownBodies) {
 TEST(Filtration, DoesNotDependOnOrderOrPose) {
   const Eigen::Matrix3Xd cloud = noisy(torus(0.1, 0.02, 0.01), 0.001, 5);
   const Filtration filtration(cloud);
-  std::vector<int> order(static_cast<std::size_t>(cloud.cols()));
+  std::vector<int> order(cloud.cols());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::shuffle(order.begin(), order.end(), std::mt19937_64(2));
   const Filtration shuffled(cloud(Eigen::all, order));

@@ -85,7 +85,7 @@ class HomologyOracle {
   double length(const Chain& chain) const {
     double sum = 0;
     for (Eigen::Index e = 0; e < complex_.edges.cols(); ++e) {
-      if (chain[static_cast<std::size_t>(e)])
+      if (chain[e])
         sum +=
             (complex_.points.col(complex_.edges(0, e)) - complex_.points.col(complex_.edges(1, e)))
                 .norm();

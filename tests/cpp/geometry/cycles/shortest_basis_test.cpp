@@ -114,7 +114,7 @@ TEST(ShortestBasis, OfLabelledClassesIsThatOfAll) {
     EXPECT_NEAR(total_length(complex, labelled), total_length(complex, all), 1e-9);
     // Of one class alone: a cycle that dies when the class does, if others may be added.
     const ClassCycle one = shortest_basis(complex, filtration.labels(d, {alive[0]})).at(0);
-    EXPECT_GE(filtration.span(one.cycle, d).death, pairs[static_cast<std::size_t>(alive[0])].death);
+    EXPECT_GE(filtration.span(one.cycle, d).death, pairs[alive[0]].death);
   }
   expect_refused([] { Filtration(random_cloud(50, 1)).labels(0.5, {-1}); },
                  "class -1 is not alive at 0.5");

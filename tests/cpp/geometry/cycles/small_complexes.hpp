@@ -112,11 +112,11 @@ inline Complex ring_surface(double radius, double tube, int along, int across, i
 
 /// The same complex, its points in another order.
 inline Complex relabelled(const Complex& complex, std::uint64_t seed) {
-  std::vector<int> place(static_cast<std::size_t>(complex.points.cols()));
+  std::vector<int> place(complex.points.cols());
   std::iota(place.begin(), place.end(), 0);
   std::mt19937_64 rng(seed);
   for (std::size_t i = place.size(); i > 1; --i) std::swap(place[i - 1], place[rng() % i]);
-  const auto to = [&](int v) { return place[static_cast<std::size_t>(v)]; };
+  const auto to = [&](int v) { return place[v]; };
   Eigen::Matrix3Xd points(3, complex.points.cols());
   for (int v = 0; v < complex.points.cols(); ++v) points.col(to(v)) = complex.points.col(v);
   EdgeSet edges;

@@ -40,7 +40,7 @@ TEST(ClaspTargets, AreEquallyFarApart) {
     const auto targets = clasp_targets(zigzag_circle(500), count);
     for (int i = 0; i < count; ++i) {
       const double a = 2 * M_PI * i / count;
-      const auto& target = targets[static_cast<std::size_t>(i)];
+      const auto& target = targets[i];
       EXPECT_LT((target.point - Eigen::Vector3d(std::cos(a), std::sin(a), 0)).norm(), 1e-4);
       EXPECT_LT((target.tangent - Eigen::Vector3d(-std::sin(a), std::cos(a), 0)).norm(), 1e-2);
     }
@@ -67,7 +67,8 @@ TEST(ClaspTargets, AreFiniteOnALoopThatRunsBack) {
 TEST(ClaspTargets, RefuseWhatHasNoLength) {
   Eigen::Matrix3Xd nan = zigzag_circle(5);
   nan(0, 3) = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([] { clasp_targets(zigzag_circle(5), 0); }, "count must be positive, not 0");
+  expect_refused([] { clasp_targets(zigzag_circle(5), 0); },
+                 "count must lie in [1, 1000000], not 0");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd(3, 0), 4); }, "not 0 corners");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd::Ones(3, 4), 4); }, "4 corners and 0 m");
   expect_refused([&] { clasp_targets(nan, 4); }, "point 3");

@@ -122,7 +122,7 @@ TEST(Evidence, RefusesBadRays) {
 
 Eigen::Matrix3Xd matrix_of(const std::vector<Eigen::Vector3d>& eyes) {
   Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(eyes.size()));
-  for (std::size_t i = 0; i < eyes.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = eyes[i];
+  for (std::size_t i = 0; i < eyes.size(); ++i) columns.col(i) = eyes[i];
   return columns;
 }
 

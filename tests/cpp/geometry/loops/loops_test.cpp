@@ -35,7 +35,7 @@ void expect_consistent(const Loops& found, const Eigen::Matrix3Xd& cloud) {
     ASSERT_GE(loop.points.cols(), 3);
     double length = 0;
     for (Eigen::Index i = 0; i < loop.points.cols(); ++i) {
-      EXPECT_EQ(loop.points.col(i), cloud.col(loop.vertices[static_cast<std::size_t>(i)]));
+      EXPECT_EQ(loop.points.col(i), cloud.col(loop.vertices[i]));
       const double step =
           (loop.points.col(i) - loop.points.col((i + 1) % loop.points.cols())).norm();
       EXPECT_LT(step, loop.max_edge_length);
@@ -118,7 +118,7 @@ TEST(ShortestLoops, OfACupNeedAHandle) {
 }
 
 TEST(ShortestLoops, DoNotDependOnOrder) {
-  std::vector<int> order(static_cast<std::size_t>(ring().cols()));
+  std::vector<int> order(ring().cols());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::shuffle(order.begin(), order.end(), std::mt19937_64(3));
   const Eigen::Matrix3Xd shuffled = ring()(Eigen::all, order);
@@ -126,7 +126,7 @@ TEST(ShortestLoops, DoNotDependOnOrder) {
   EXPECT_NEAR(one.length, other.length, 1e-12);
   EXPECT_EQ(one.death, other.death);
   std::set<int> vertices;
-  for (const int v : other.vertices) vertices.insert(order[static_cast<std::size_t>(v)]);
+  for (const int v : other.vertices) vertices.insert(order[v]);
   EXPECT_EQ(vertices, std::set<int>(one.vertices.begin(), one.vertices.end()));
 }
 

@@ -76,8 +76,7 @@ inline Seen look(const std::vector<Block>& blocks, const std::vector<Eigen::Vect
     seen.rays.push_back(rays);
   }
   seen.points.resize(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    seen.points.col(static_cast<Eigen::Index>(i)) = points[i];
+  for (std::size_t i = 0; i < points.size(); ++i) seen.points.col(i) = points[i];
   return seen;
 }
 

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 Matrix2Xd columns(const std::vector<Vector2d>& points) {
   Matrix2Xd matrix(2, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    matrix.col(static_cast<Eigen::Index>(i)) = points[i];
+    matrix.col(i) = points[i];
   }
   return matrix;
 }

@@ -136,8 +136,8 @@ TEST(Compliant, IsWhereTheFirstLimitIsMet) {
       const std::size_t k = finger ? i - set.contacts.size() : i;
       const Vector3d n = finger ? set.fingers[k].n_O : set.contacts[k].n_O;
       const double mu = finger ? set.fingers[k].friction : set.contacts[k].friction;
-      const Vector3d before = finger ? nominal.finger_forces_O.col(static_cast<Eigen::Index>(k))
-                                     : nominal.contact_forces_O.col(static_cast<Eigen::Index>(k));
+      const Vector3d before =
+          finger ? nominal.finger_forces_O.col(k) : nominal.contact_forces_O.col(k);
       const Vector3d force = before - springs_O[i] * jacobians[i] * moved;
       const double normal = n.dot(force);
       worst = std::max(worst, (force - normal * n).norm() - mu * normal);

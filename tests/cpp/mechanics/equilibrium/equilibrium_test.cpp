@@ -23,10 +23,10 @@ Vector6d residual(const ContactSet& set, const Equilibrium& equilibrium) {
     sum.tail<3>() += (p_OC - set.com_O).cross(force);
   };
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
-    add(set.contacts[i].p_OC, equilibrium.contact_forces_O.col(static_cast<Eigen::Index>(i)));
+    add(set.contacts[i].p_OC, equilibrium.contact_forces_O.col(i));
   }
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    add(set.fingers[i].p_OC, equilibrium.finger_forces_O.col(static_cast<Eigen::Index>(i)));
+    add(set.fingers[i].p_OC, equilibrium.finger_forces_O.col(i));
   }
   return sum;
 }
@@ -41,7 +41,7 @@ void expect_holds(const ContactSet& set, const std::vector<FingerMode>& modes,
   EXPECT_LT(residual(set, found).norm(), 1e-10);
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     const Contact& c = set.contacts[i];
-    const Vector3d force = found.contact_forces_O.col(static_cast<Eigen::Index>(i));
+    const Vector3d force = found.contact_forces_O.col(i);
     EXPECT_LE(beyond_cone(c.n_O, c.friction, force), 1e-10);
     if (c.mode == ContactMode::stick) continue;
     const Vector3d edge = c.n_O - c.friction * tangent(c.n_O, c.t_O);  // friction opposes motion
@@ -50,11 +50,11 @@ void expect_holds(const ContactSet& set, const std::vector<FingerMode>& modes,
   }
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const Finger& f = set.fingers[i];
-    const Vector3d force = found.finger_forces_O.col(static_cast<Eigen::Index>(i));
+    const Vector3d force = found.finger_forces_O.col(i);
     EXPECT_LE(beyond_cone(f.n_O, f.friction, force), 1e-10);
     const double normal = f.n_O.dot(force);
     if (modes[i] == kForce) {
-      EXPECT_NEAR(normal, commanded[static_cast<Eigen::Index>(i)], 1e-10);
+      EXPECT_NEAR(normal, commanded[i], 1e-10);
     } else {
       EXPECT_LE(normal, f.max_normal_force - found.margin + 1e-10);
     }

@@ -29,7 +29,7 @@ double excess(const LeastForces& problem, const Eigen::VectorXd& x) {
   double worst = -x.minCoeff();
   const Eigen::VectorXd over = problem.A * x - problem.upper;
   for (Eigen::Index i = 0; i < over.size(); ++i) {
-    const bool is_equal = problem.is_equal[static_cast<std::size_t>(i)];
+    const bool is_equal = problem.is_equal[i];
     worst = std::max(worst, is_equal ? std::abs(over[i]) : over[i]);
   }
   return worst;

@@ -20,7 +20,7 @@ ContactSet with_friction(ContactSet set, const std::vector<double>& environment,
                          const std::vector<int>& surface = {}) {
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {
     const int s = surface.empty() ? 0 : surface[i];
-    set.contacts[i].friction = environment[static_cast<std::size_t>(s)];
+    set.contacts[i].friction = environment[s];
   }
   for (Finger& finger : set.fingers) finger.friction = fingers;
   return set;
