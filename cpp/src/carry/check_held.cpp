@@ -180,31 +180,14 @@ std::vector<scene::Doubt> StraightWay::prove(const HeldReplay& held, const Segme
 std::vector<std::string> shape_faults(const Problem& problem, const Plan& plan,
                                       const std::vector<std::string>& names) {
   if (!plan) return {"plan: not solved: " + plan.reason};
-  std::vector<std::string> faults, found;
-  const std::string wrong = scene::wrong_names(problem.robot, plan.joint_names);
-  if (!wrong.empty()) faults.push_back("plan: " + wrong);
+  std::vector<std::string> faults;
   if (plan.reached != 1)
     faults.push_back("plan: reached must be 1 if it is solved, but is " +
                      std::to_string(plan.reached));
-  for (const Segment& segment : plan.segments) found.push_back(segment.name);
-  if (found != names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
-    faults.push_back("plan: must have exactly the segments " + list);
-  }
-  for (const Segment& segment : plan.segments) {
-    if (segment.positions.empty() || segment.positions.size() != segment.object_poses.size())
-      faults.push_back(segment.name + ": must have rows, and one object pose for each row");
-    for (std::size_t row = 0; faults.empty() && row < segment.positions.size(); ++row) {
-      const VectorXd& q = segment.positions[row];
-      const bool sound =
-          robot::is_configuration(problem.robot, q) && geometry::is_pose(segment.object_poses[row]);
-      if (!sound) {
-        faults.push_back(segment.name + " row " + std::to_string(row) +
-                         ": has the wrong size or a value that is not finite");
-      }
-    }
-  }
+  scene::check_shape(problem.robot, plan, names,
+                     [&](const std::string& place, const std::string& what) {
+                       faults.push_back(place + ": " + what);
+                     });
   return faults;
 }
 

@@ -12,6 +12,7 @@
 #include "carry/straight_path.hpp"
 #include "planning/joints.hpp"
 #include "planning/obstruction.hpp"
+#include "scene/rows.hpp"
 
 namespace graspless::carry {
 namespace {
@@ -177,7 +178,8 @@ Isometry3d PlaceSearch::object_at(const VectorXd& q) const {
 }
 
 void PlaceSearch::append(const std::string& name, const Path& path, bool held, Plan& plan) const {
-  Segment segment{name, planning::subdivided(path, kRowStep, problem_.robot.step_weights()), {}};
+  Segment segment{
+      name, planning::subdivided(path, scene::kRowStep, problem_.robot.step_weights()), {}};
   const Isometry3d put =
       plan.segments.empty() ? Isometry3d::Identity() : plan.segments.back().object_poses.back();
   for (const VectorXd& q : segment.positions)

@@ -12,6 +12,7 @@
 #include "carry/search.hpp"
 #include "carry/straight_path.hpp"
 #include "planning/joints.hpp"
+#include "scene/rows.hpp"
 
 /// Ways to the places, straight motions of the hand, and tests of motions.
 namespace graspless::carry {
@@ -227,13 +228,8 @@ bool PlaceSearch::is_free(const VectorXd& from, const VectorXd& to) {
   return scene_.is_free(from, to, checked_step(from, to));
 }
 
-/// Length of the steps at which check() replays a straight motion, or a part of it [rad].
 double PlaceSearch::checked_step(const VectorXd& from, const VectorXd& to) const {
-  const double span = problem_.robot.step(from, to);
-  if (span == 0) return options_.resolution;
-  const double rows = std::max(1.0, std::ceil(span / kRowStep));
-  const double pieces = rows * std::max(1.0, std::ceil(span / rows / options_.resolution));
-  return span / pieces * (1 + 1e-12);
+  return scene::replay_step(problem_.robot, from, to, options_.resolution);
 }
 
 }  // namespace graspless::carry

@@ -8,12 +8,13 @@
 #include "carry/search.hpp"
 #include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
+#include "scene/rows.hpp"
 
 namespace graspless::carry {
 namespace {
 
 Segment assemble(const Search& search, const std::vector<Eigen::VectorXd>& path) {
-  Segment segment{"carry", planning::subdivided(path, kRowStep, search.step_weights()), {}};
+  Segment segment{"carry", planning::subdivided(path, scene::kRowStep, search.step_weights()), {}};
   for (const Eigen::VectorXd& q : segment.positions)
     segment.object_poses.push_back(search.object_at(q));
   return segment;

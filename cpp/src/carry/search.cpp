@@ -7,6 +7,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "scene/rows.hpp"
+
 namespace graspless::carry {
 namespace {
 
@@ -174,17 +176,15 @@ std::optional<VectorXd> Search::solve(const Cell& to, const VectorXd& near) {
 
 /// Checks exactly the configurations at which check() will replay the rows.
 bool Search::is_motion_valid(const VectorXd& from, const VectorXd& to) {
-  const double span = problem_.robot.step(from, to);
-  const int rows = std::max(1, static_cast<int>(std::ceil(span / kRowStep)));
-  const int pieces =
-      rows * std::max(1, static_cast<int>(std::ceil(span / rows / options_.resolution)));
+  const int pieces = scene::replay_steps(problem_.robot.step(from, to), options_.resolution);
   for (int i = 1; i <= pieces; ++i) {
     poll();
     if (object_path_.contains(object_at(from + (to - from) * i / pieces), options_)) continue;
     refuse("off the straight path");
     return false;
   }
-  if (scene_.is_free(from, to, span / pieces * (1 + 1e-12) + 1e-15)) return true;
+  if (scene_.is_free(from, to, scene::replay_step(problem_.robot, from, to, options_.resolution)))
+    return true;
   const auto [a, b] = scene_.collision(to);
   refuse(a.empty() ? "collision" : "'" + a + "' touches '" + b + "'");
   return false;

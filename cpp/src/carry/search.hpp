@@ -16,8 +16,6 @@
 
 namespace graspless::carry {
 
-constexpr double kRowStep = 0.05;  // largest Robot::step() between rows of a plan [rad]
-
 /// Depth-first search over a grid of three coordinates: distance along the path, value of the arm's
 /// free joint, and twist. Each step leads from the configuration in one cell to a neighbouring
 /// cell, straight ahead first.

@@ -14,6 +14,7 @@
 #include "clasp/parameters.hpp"
 #include "clasp/search/task_space.hpp"
 #include "clasp/squeeze.hpp"
+#include "scene/rows.hpp"
 
 namespace graspless::clasp {
 
@@ -41,7 +42,7 @@ Path pruned(Query& query, Path path) {
 
 Segment segment(const std::string& name, const Path& path, TaskSpace& task_space,
                 const Eigen::VectorXd& weights) {
-  Segment segment{name, planning::subdivided(path, kRowStep, weights), {}};
+  Segment segment{name, planning::subdivided(path, scene::kRowStep, weights), {}};
   const auto rows = static_cast<Eigen::Index>(segment.positions.size());
   segment.virtual_linking.resize(task_space.kinematics().num_curves(), rows);
   for (Eigen::Index i = 0; i < rows; ++i) {

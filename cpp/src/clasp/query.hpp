@@ -12,10 +12,9 @@
 #include "clasp/free_space/free_space.hpp"
 #include "clasp/stability/pinch.hpp"
 #include "clasp/stability/tester.hpp"
+#include "scene/rows.hpp"
 
 namespace graspless::clasp {
-
-constexpr double kRowStep = 0.05;  // largest joint step between rows of a plan [rad]
 
 // Refusals of closed hands. The first two make the status of a failed search "not_secure".
 constexpr const char* kNotSecure = "clasp: not secure";
@@ -61,7 +60,7 @@ struct Query {
   void refuse(const std::string& why) { ++statistics.refusals[why]; }
 
   /// True if a straight motion is collision-free at the configurations that check() will test: rows
-  /// of kRowStep, subdivided at options.resolution.
+  /// of scene::kRowStep, subdivided at options.resolution.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
     return !first_collision(from, to);
   }
@@ -87,7 +86,7 @@ struct Query {
   std::optional<planning::Path> first_collision(const Eigen::VectorXd& from,
                                                 const Eigen::VectorXd& to) {
     const planning::Path rows =
-        planning::subdivided({from, to}, kRowStep, problem.robot.step_weights());
+        planning::subdivided({from, to}, scene::kRowStep, problem.robot.step_weights());
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (!free.is_free(rows[i - 1], rows[i], options.resolution)) return {{rows[i - 1], rows[i]}};
     }

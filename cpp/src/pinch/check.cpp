@@ -82,20 +82,9 @@ class Examination {
       fault("plan", "not solved: " + plan_.reason);
       return false;
     }
-    const std::string wrong = scene::wrong_names(problem_.robot, plan_.joint_names);
-    if (!wrong.empty()) fault("plan", wrong);
-    std::vector<std::string> names;
-    for (const Segment& segment : plan_.segments) names.push_back(segment.name);
-    if (names != kNames) fault("plan", "segments are not approach, grasp, close");
-    for (const Segment& segment : plan_.segments) {
-      if (segment.positions.empty() || segment.positions.size() != segment.object_poses.size())
-        fault(segment.name, "must have rows, and one object pose for each row");
-      for (std::size_t i = 0; faults_.empty() && i < segment.positions.size(); ++i) {
-        const bool sound = robot::is_configuration(problem_.robot, segment.positions[i]) &&
-                           geometry::is_pose(segment.object_poses[i]);
-        if (!sound) fault(segment, i, "has the wrong size or a value that is not finite");
-      }
-    }
+    scene::check_shape(
+        problem_.robot, plan_, kNames,
+        [&](const std::string& place, const std::string& what) { fault(place, what); });
     const double opening = jaw_.widest();
     if (!(std::abs(plan_.opening - opening) <= kSame))
       fault("plan", "opening must be " + figure(opening) + " m, not " + figure(plan_.opening));

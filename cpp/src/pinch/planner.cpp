@@ -8,9 +8,9 @@
 #include "pinch/grasps.hpp"
 #include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
+#include "scene/rows.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/hand_motion.hpp"
-#include "slide/rows.hpp"
 
 namespace graspless::pinch {
 
@@ -198,7 +198,7 @@ class Search {
   }
 
   void append(const std::string& name, const Path& path, Plan& plan) const {
-    const Path rows = planning::subdivided(path, slide::kRowStep, problem_.robot.step_weights());
+    const Path rows = planning::subdivided(path, scene::kRowStep, problem_.robot.step_weights());
     plan.segments.push_back(
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }

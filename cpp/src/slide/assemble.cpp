@@ -6,8 +6,8 @@
 
 #include "graspless/watch.hpp"
 
+#include "scene/rows.hpp"
 #include "slide/friction/warnings.hpp"
-#include "slide/rows.hpp"
 
 namespace graspless::slide {
 
@@ -23,7 +23,7 @@ Path with_hand_open(const Query& query, const Path& arm_path) {
 
 void append(const Query& query, Plan& plan, const std::string& name, const Path& path,
             const Eigen::Isometry3d& X_WO) {
-  const Path rows = planning::subdivided(path, kRowStep, query.problem.robot.step_weights());
+  const Path rows = planning::subdivided(path, scene::kRowStep, query.problem.robot.step_weights());
   plan.segments.push_back({name, rows, std::vector<Eigen::Isometry3d>(rows.size(), X_WO)});
 }
 
@@ -39,7 +39,7 @@ Path with_home(const Query& query, Path approach) {
 Slid slid_along(Query& query, const Path& slide) {
   const ContactSpace::Carried carried = query.carried_from(slide.front());
   Slid slid{{"slide", {}, {}}, {}, {}};
-  const Path rows = planning::subdivided(with_hand_open(query, slide), kRowStep,
+  const Path rows = planning::subdivided(with_hand_open(query, slide), scene::kRowStep,
                                          query.problem.robot.step_weights());
   for (const Eigen::VectorXd& q : rows) {
     poll();

@@ -6,7 +6,7 @@
 
 #include "graspless/watch.hpp"
 
-#include "slide/rows.hpp"
+#include "scene/rows.hpp"
 #include "slide/task/hand_frames.hpp"
 
 namespace graspless::slide {
@@ -165,7 +165,7 @@ bool ContactSpace::is_valid(const Eigen::VectorXd& arm, const std::optional<Carr
 bool ContactSpace::is_motion_valid(const Eigen::VectorXd& from, const Eigen::VectorXd& to,
                                    const std::optional<Carried>& carried, double resolution) {
   const Eigen::VectorXd step = to - from;
-  const int pieces = replay_steps(arm_.span(step), resolution);
+  const int pieces = scene::replay_steps(arm_.span(step), resolution);
   // Backwards from the far end, where a violation shows earliest.
   for (int i = pieces; i >= 1; --i) {
     poll();

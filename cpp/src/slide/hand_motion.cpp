@@ -8,8 +8,8 @@
 #include "graspless/planning/free_path.hpp"
 
 #include "robot/names.hpp"
+#include "scene/rows.hpp"
 #include "slide/contact_space.hpp"
-#include "slide/rows.hpp"
 
 namespace graspless::slide {
 
@@ -25,7 +25,7 @@ bool is_finger_on_object(const Hand& hand, const std::string& a, const std::stri
 }
 
 bool HandMotion::is_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-  return scene_.is_free(from, to, replay_step(robot_, from, to, resolution_));
+  return scene_.is_free(from, to, scene::replay_step(robot_, from, to, resolution_));
 }
 
 std::optional<Path> HandMotion::track(const robot::Ik& ik, const Eigen::VectorXd& from,
@@ -39,7 +39,8 @@ std::optional<Path> HandMotion::track(const robot::Ik& ik, const Eigen::VectorXd
     ++ik_calls_;
     const auto next = ik.solve_near(pose, q);
     if (!next || robot_.step(q, *next) > kJump) return std::nullopt;
-    if (!scene.is_free(q, *next, replay_step(robot_, q, *next, resolution_))) return std::nullopt;
+    if (!scene.is_free(q, *next, scene::replay_step(robot_, q, *next, resolution_)))
+      return std::nullopt;
     q = *next;
     path.push_back(arm_.part(q));
   }
@@ -66,7 +67,7 @@ HandMotion::Closing HandMotion::close(const Eigen::VectorXd& arm) {
   Eigen::VectorXd closed = arm_.closed();
   arm_.write(arm, closed);
   const double travel = robot_.step(open, closed);
-  const int steps = pieces(travel, kRowStep);
+  const int steps = pieces(travel, scene::kRowStep);
   Closing closing{{open}, {}};
   const auto at = [&](double t) -> Eigen::VectorXd { return open + t * (closed - open); };
   for (int i = 1; i <= steps; ++i) {

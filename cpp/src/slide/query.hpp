@@ -11,10 +11,10 @@
 
 #include "graspless/robot/ik.hpp"
 
+#include "scene/rows.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/friction/course.hpp"
 #include "slide/placement.hpp"
-#include "slide/rows.hpp"
 
 namespace graspless::slide {
 
@@ -87,7 +87,7 @@ struct GRASPLESS_API Query {
   /// True if the straight motion of all joints is free of collision, at the steps at which check()
   /// replays it.
   bool is_motion_free(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-    return free.is_free(from, to, replay_step(problem.robot, from, to, options.resolution));
+    return free.is_free(from, to, scene::replay_step(problem.robot, from, to, options.resolution));
   }
 
   /// Returns the pose in W of a commanded tip that presses `depth` [m] deep at `pitch` [rad] and

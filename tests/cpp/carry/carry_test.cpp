@@ -257,7 +257,7 @@ TEST(CarryValidate, NamesTheField) {
   expect_refused([&] { plan(good, options); }, "options.step");
   options = {};
   options.max_twist = -1;
-  expect_refused([&] { check(good, Plan{}, options); }, "options.max_twist");
+  expect_refused([&] { (void)check(good, Plan{}, options); }, "options.max_twist");
 }
 
 }  // namespace

@@ -116,8 +116,9 @@ TEST(CarryPlaceCheck, FindsWhatIsWrong) {
     return rows[rows.size() / 2];
   };
   const std::vector<Mutant> mutants{
-      {"must have exactly the segments", [](Plan& p) { p.segments.pop_back(); }},
-      {"must have exactly the segments", [](Plan& p) { std::swap(p.segments[0], p.segments[1]); }},
+      {"segments are not transfer, lower", [](Plan& p) { p.segments.pop_back(); }},
+      {"segments are not transfer, lower",
+       [](Plan& p) { std::swap(p.segments[0], p.segments[1]); }},
       {"reached must be 1", [](Plan& p) { p.reached = 0.5; }},
       {"place must lie in", [](Plan& p) { p.place = 2; }},
       {"is not at its place", [](Plan& p) { p.place = 1; }},

@@ -74,25 +74,9 @@ bool Examination::has_shape() {
     fault("plan", "not solved: " + plan_.reason);
     return false;
   }
-  const std::string wrong = scene::wrong_names(problem_.robot, plan_.joint_names);
-  if (!wrong.empty()) fault("plan", wrong);
-  std::vector<std::string> found;
-  for (const Segment& s : plan_.segments) found.push_back(s.name);
-  if (found != names()) {
-    std::string listed;
-    for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
-    fault("plan", "segments are not " + listed);
-  }
-  for (const Segment& s : plan_.segments) {
-    if (s.positions.empty() || s.positions.size() != s.object_poses.size()) {
-      fault(s.name, "must have rows, and one object pose for each row");
-    }
-    for (std::size_t i = 0; i < std::min(s.positions.size(), s.object_poses.size()); ++i) {
-      const bool sound = robot::is_configuration(problem_.robot, s.positions[i]) &&
-                         geometry::is_pose(s.object_poses[i]);
-      if (!sound) fault(s, i, "has the wrong size, a value that is not finite, or no pose");
-    }
-  }
+  scene::check_shape(
+      problem_.robot, plan_, names(),
+      [&](const std::string& place, const std::string& what) { fault(place, what); });
   if (!geometry::is_pose(plan_.X_WO_goal) || !geometry::is_pose(plan_.X_WH_grasp)) {
     fault("plan", "X_WO_goal or X_WH_grasp is no pose within 1e4 m");
   }
