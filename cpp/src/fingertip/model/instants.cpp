@@ -14,6 +14,7 @@
 
 #include "fingertip/model/screw.hpp"
 #include "mechanics/contacts/cones.hpp"
+#include "mechanics/contacts/wrenches.hpp"
 
 namespace graspless::fingertip {
 namespace {
@@ -155,7 +156,7 @@ mechanics::EnvironmentWrenches Instants::wrenches(const Instant& instant,
     const bool slides = set.contacts[i].mode == mechanics::ContactMode::slide;
     set.contacts[i].friction = slides ? sliding[surface] : frictions_[surface].*sticking;
   }
-  return mechanics::environment_wrenches(set);
+  return mechanics::wrenches_of_environment(set);
 }
 
 void Instants::add_environment(Instant& instant, const std::vector<double>& coefficients) const {

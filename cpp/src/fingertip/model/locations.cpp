@@ -13,6 +13,8 @@
 #include "graspless/collision/world.hpp"
 #include "graspless/watch.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
+
 namespace graspless::fingertip {
 namespace {
 
@@ -50,7 +52,7 @@ std::vector<mechanics::FingerWrenches> wrenches_of(const std::vector<Location>& 
   set.fingers.resize(1);
   const auto at_friction = [&](double friction) {
     set.fingers[0].friction = friction;
-    return mechanics::finger_wrenches(set, 0);
+    return mechanics::wrenches_of_fingers(set).front();
   };
   std::vector<mechanics::FingerWrenches> wrenches;
   wrenches.reserve(all.size());

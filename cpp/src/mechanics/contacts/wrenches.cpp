@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Columns of Eq. (3), scaled: wrenches of the edges of all cones.
+#include "mechanics/contacts/wrenches.hpp"
+
 #include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
-
-#include "graspless/mechanics/stability_solver.hpp"
 
 #include "mechanics/contacts/cones.hpp"
 
@@ -31,6 +31,15 @@ Matrix6Xd wrenches(const ContactSet& set, const Eigen::Vector3d& p_OC,
   return generators;
 }
 
+FingerWrenches wrenches_of(const ContactSet& set, const Finger& finger) {
+  const Eigen::Matrix3Xd edges = cone_of(finger, set.cone_edges);
+  FingerWrenches wrench;
+  wrench.generators = wrenches(set, finger.p_OC, edges);
+  wrench.normal = edges.transpose() * finger.n_O;
+  wrench.max_normal_force = finger.max_normal_force;
+  return wrench;
+}
+
 }  // namespace
 
 Eigen::Matrix3Xd cone_of(const Contact& contact, int cone_edges) {
@@ -51,8 +60,7 @@ ContactSet with_round_cones(ContactSet set) {
   return set;
 }
 
-EnvironmentWrenches environment_wrenches(const ContactSet& set) {
-  validate(set);
+EnvironmentWrenches wrenches_of_environment(const ContactSet& set) {
   Eigen::Index columns = 0;
   for (const Contact& contact : set.contacts) {
     columns += contact.mode == ContactMode::stick ? set.cone_edges : 1;
@@ -69,6 +77,17 @@ EnvironmentWrenches environment_wrenches(const ContactSet& set) {
   return environment;
 }
 
+std::vector<FingerWrenches> wrenches_of_fingers(const ContactSet& set) {
+  std::vector<FingerWrenches> all;
+  for (const Finger& finger : set.fingers) all.push_back(wrenches_of(set, finger));
+  return all;
+}
+
+EnvironmentWrenches environment_wrenches(const ContactSet& set) {
+  validate(set);
+  return wrenches_of_environment(set);
+}
+
 FingerWrenches finger_wrenches(const ContactSet& set, int finger) {
   validate(set);
   if (finger < 0 || finger >= static_cast<int>(set.fingers.size())) {
@@ -76,13 +95,7 @@ FingerWrenches finger_wrenches(const ContactSet& set, int finger) {
                                 std::to_string(set.fingers.size()) + ", not " +
                                 std::to_string(finger));
   }
-  const Finger& f = set.fingers.at(static_cast<std::size_t>(finger));
-  const Eigen::Matrix3Xd edges = cone_of(f, set.cone_edges);
-  FingerWrenches wrench;
-  wrench.generators = wrenches(set, f.p_OC, edges);
-  wrench.normal = edges.transpose() * f.n_O;
-  wrench.max_normal_force = f.max_normal_force;
-  return wrench;
+  return wrenches_of(set, set.fingers[finger]);
 }
 
 }  // namespace graspless::mechanics

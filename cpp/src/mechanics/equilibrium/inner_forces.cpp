@@ -11,6 +11,7 @@
 #include "graspless/mechanics/stability_solver.hpp"
 
 #include "mechanics/contacts/cones.hpp"
+#include "mechanics/contacts/wrenches.hpp"
 #include "mechanics/equilibrium/least_forces.hpp"
 #include "mechanics/lp/conditioning.hpp"
 #include "mechanics/lp/program.hpp"
@@ -126,11 +127,8 @@ std::optional<Equilibrium> inner_forces(const ContactSet& set, const std::vector
                                         const Eigen::VectorXd& commanded_forces,
                                         const std::vector<Reserve>& reserves, double t_max,
                                         double kept) {
-  const EnvironmentWrenches environment = environment_wrenches(set);
-  std::vector<FingerWrenches> fingers;
-  for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
-    fingers.push_back(finger_wrenches(set, i));
-  }
+  const EnvironmentWrenches environment = wrenches_of_environment(set);
+  const std::vector<FingerWrenches> fingers = wrenches_of_fingers(set);
   ReserveProgram program(t_max, balance_conditioning(environment, fingers), environment.known);
   Vector6d apices = Vector6d::Zero();
   for (std::size_t i = 0; i < set.contacts.size(); ++i) {

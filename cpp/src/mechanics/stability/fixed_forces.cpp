@@ -10,6 +10,7 @@
 
 #include "graspless/mechanics/stability_solver.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "mechanics/lp/conditioning.hpp"
 
 namespace graspless::mechanics {
@@ -33,11 +34,8 @@ void set_balance(LinearProgram* program, const Vector6d& value) {
 
 FixedForces::FixedForces(const ContactSet& set, const std::vector<FingerMode>& modes,
                          const Eigen::VectorXd& commanded_forces) {
-  const EnvironmentWrenches environment = environment_wrenches(set);
-  std::vector<FingerWrenches> fingers;
-  for (int i = 0; i < static_cast<int>(set.fingers.size()); ++i) {
-    fingers.push_back(finger_wrenches(set, i));
-  }
+  const EnvironmentWrenches environment = wrenches_of_environment(set);
+  const std::vector<FingerWrenches> fingers = wrenches_of_fingers(set);
   even_ = balance_conditioning(environment, fingers);
   known_ = even_ * environment.known;
   for (int i = 0; i < 6; ++i) program_.add_row(0, 0);

@@ -13,6 +13,7 @@
 #include "graspless/mechanics/stability_solver.hpp"
 #include "graspless/watch.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "mechanics/stability/fixed_forces.hpp"
 #include "mechanics/stability/friction_query.hpp"
 #include "mechanics/stability/reference.hpp"
@@ -104,10 +105,10 @@ class NoJam : public Property {
     program.add_variable(0, 1, 1);                            // separation
     for (const auto& slide : {lower_ends(piece), upper_ends(piece)}) {
       const ContactSet set = with_friction(q_, upper_ends(piece), slide, q_.fingers.upper);
-      add(environment_wrenches(set).generators, &program);
-      for (std::size_t i = 0; i < q_.modes.size(); ++i) {
-        if (q_.modes[i] == FingerMode::force) continue;
-        add(finger_wrenches(set, static_cast<int>(i)).generators, &program);
+      add(wrenches_of_environment(set).generators, &program);
+      const std::vector<FingerWrenches> fingers = wrenches_of_fingers(set);
+      for (std::size_t i = 0; i < fingers.size(); ++i) {
+        if (q_.modes[i] == FingerMode::position) add(fingers[i].generators, &program);
       }
     }
     return solve_lp(program).objective > kSeparated;

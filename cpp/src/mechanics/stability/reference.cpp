@@ -7,6 +7,7 @@
 
 #include <Eigen/SVD>
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "mechanics/lp/program.hpp"
 #include "mechanics/stability/exact_wrenches.hpp"
 
@@ -93,10 +94,8 @@ struct Reference::Program {
   std::vector<int> f_com;  // variable of each finger; -1: position control
 };
 
-Reference::Reference(const ContactSet& set) : set_(set), environments_{environment_wrenches(set)} {
-  const int n = static_cast<int>(set.fingers.size());
-  for (int i = 0; i < n; ++i) fingers_.push_back(finger_wrenches(set, i));
-}
+Reference::Reference(const ContactSet& set)
+    : set_(set), environments_{wrenches_of_environment(set)}, fingers_(wrenches_of_fingers(set)) {}
 
 Reference::Reference(const std::vector<const EnvironmentWrenches*>& environments,
                      const std::vector<const FingerWrenches*>& fingers) {

@@ -12,6 +12,7 @@
 
 #include "graspless/watch.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "mechanics/rays/cyclic_cuts.hpp"
 #include "mechanics/rays/jamming.hpp"
 #include "mechanics/stability/mode_search.hpp"
@@ -141,14 +142,10 @@ void StabilitySolver::set(const std::vector<const EnvironmentWrenches*>& environ
 void StabilitySolver::set(const ContactSet& set) {
   validate(set);
   Impl& own = *impl_;
-  own.own_environment = environment_wrenches(set);
-  own.own_fingers.clear();
+  own.own_environment = wrenches_of_environment(set);
+  own.own_fingers = wrenches_of_fingers(set);
   std::vector<const FingerWrenches*> pointers;
-  own.own_fingers.reserve(set.fingers.size());
-  for (std::size_t i = 0; i < set.fingers.size(); ++i) {
-    own.own_fingers.push_back(finger_wrenches(set, static_cast<int>(i)));
-    pointers.push_back(&own.own_fingers.back());
-  }
+  for (const FingerWrenches& finger : own.own_fingers) pointers.push_back(&finger);
   this->set({&own.own_environment}, pointers);
   own.set = set;
 }
