@@ -161,7 +161,7 @@ std::vector<Problem> make_problems(std::mt19937_64& rng) {
 
 double quantile(std::vector<double> values, double fraction) {
   const auto count = static_cast<double>(values.size());
-  const auto nth = values.begin() + (fraction * (count - 1));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * (count - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }

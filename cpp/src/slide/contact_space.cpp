@@ -46,7 +46,8 @@ void keep_links_apart(scene::Scene& scene, const Problem& problem,
   scene.keep_links_apart(kLinkClearance, problem.robot.group(problem.hand.arm), given);
 }
 
-ContactSpace::ContactSpace(const Problem& problem, const Options& options, const Arm& arm)
+ContactSpace::ContactSpace(const Problem& problem, const Options& options, const Arm& arm,
+                           const scene::Scene& scene)
     : problem_(problem),
       options_(options),
       arm_(arm),
@@ -54,7 +55,7 @@ ContactSpace::ContactSpace(const Problem& problem, const Options& options, const
       normal_W_(problem.support.normal_W()),
       top_(problem.object.top()),
       fingertip_(problem.robot.frame(problem.hand.fingertip)),
-      scene_(make_scene(problem)),
+      scene_(scene),
       object_body_(scene_.world().body(kObjectBody)),
       q_(arm.open()),
       projection_(make_projection()) {

@@ -40,7 +40,9 @@ class GRASPLESS_API ContactSpace {
     Planar tip_start, object_start;
   };
 
-  ContactSpace(const Problem& problem, const Options& options, const Arm& arm);
+  /// `scene`: as from make_scene().
+  ContactSpace(const Problem& problem, const Options& options, const Arm& arm,
+               const scene::Scene& scene);
   ContactSpace(const ContactSpace&) = delete;  // the projection calls back
   ContactSpace& operator=(const ContactSpace&) = delete;
 

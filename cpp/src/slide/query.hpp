@@ -53,8 +53,8 @@ struct GRASPLESS_API Query {
 
   Arm arm;
   robot::Ik tip_ik, grasp_ik;
+  scene::Scene free;     ///< all motions but slides: nothing may touch, the object does not move
   ContactSpace contact;  ///< pressing and sliding
-  scene::Scene free;     ///< all other motions: nothing may touch, the object does not move
   int object_body;       ///< index of the object in `free`
   Planar object_start;   ///< kappa_s in S
   std::optional<Planar> object_end;  ///< where the object is left, in S

@@ -125,10 +125,6 @@ double FingerProfile::below(double min_pitch, double max_pitch) const {
   return most <= 0 ? most : most / std::cos((max_pitch - min_pitch) / 2);
 }
 
-double finger_below(const Problem& problem, double pitch) {
-  return FingerProfile(problem).below(pitch);
-}
-
 void check_closing(const Problem& problem) {
   const Hand& hand = problem.hand;
   const Eigen::VectorXd& q = problem.robot.state(hand.closed);
@@ -158,35 +154,36 @@ std::string jaw_lengths(const Problem& problem, const Eigen::VectorXd& q,
          "; the hand needs " + in_mm(below) + " below the object and " + in_mm(above) + " above it";
 }
 
-double finger_sink(const Problem& problem, double depth, double pitch) {
-  const Hand& hand = problem.hand;
-  return finger_below(problem, yielded_pitch(hand, depth, pitch)) + (yields(hand) ? 0 : depth);
-}
-
 double allowed_sink(const Hand& hand) { return yields(hand) ? 0.008 : 0.005; }
 
 void check_finger_fits(const Problem& problem, const Options& options) {
   constexpr double kReach = 0.003;  // [m]
   constexpr int kSamples = 9;
   const auto [min_depth, max_depth] = depth_band(problem.hand, options);
-  const double allowed = allowed_sink(problem.hand);
+  const Hand& hand = problem.hand;
+  const double allowed = allowed_sink(hand);
+  const FingerProfile profile(problem);
+  // Depth of the finger's shapes below the contact after it has yielded; negative above it.
+  const auto sink = [&](double depth, double pitch) {
+    return profile.below(yielded_pitch(hand, depth, pitch)) + (yields(hand) ? 0 : depth);
+  };
   for (int i = 0; i < kSamples; ++i) {
     const double pitch = options.pitch + options.pitch_tolerance * (2.0 * i / (kSamples - 1) - 1);
-    const double least = finger_sink(problem, min_depth, pitch),
-                 most = finger_sink(problem, max_depth, pitch);
-    const std::string frame = "hand.fingertip '" + problem.hand.fingertip + "': at pitch " +
-                              figure(pitch) + " rad and depth ";
+    const double least = sink(min_depth, pitch), most = sink(max_depth, pitch);
+    const auto at = [&](double depth) {
+      return "hand.fingertip '" + hand.fingertip + "': at pitch " + figure(pitch) +
+             " rad and depth " + in_mm(depth);
+    };
     if (most > allowed) {
-      throw std::invalid_argument(frame + in_mm(max_depth) + ", the sliding finger is " +
-                                  in_mm(most) + " below the contact, more than " + in_mm(allowed) +
+      throw std::invalid_argument(at(max_depth) + ", the sliding finger is " + in_mm(most) +
+                                  " below the contact, more than " + in_mm(allowed) +
                                   "; the frame must lie on the finger's surface, at the lower "
                                   "edge of its tip; flatter pitches (options.pitch less "
                                   "options.pitch_tolerance) and larger options.max_depth sink "
                                   "the finger deeper");
     }
     if (least < -kReach) {
-      throw std::invalid_argument(frame + in_mm(min_depth) + ", the sliding finger ends " +
-                                  in_mm(-least) +
+      throw std::invalid_argument(at(min_depth) + ", the sliding finger ends " + in_mm(-least) +
                                   " above the contact; the frame must lie on the finger's surface");
     }
   }

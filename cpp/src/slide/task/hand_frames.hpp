@@ -31,13 +31,6 @@ class FingerProfile {
   std::vector<geometry::PlacedShape> shapes_;  // in F
 };
 
-/// FingerProfile::below() for a single pitch.
-double finger_below(const Problem& problem, double pitch);
-
-/// Depth of the sliding finger's shapes below the object's top face after it has yielded, for a tip
-/// commanded `depth` below the contact [m]. Negative if they do not reach the contact.
-double finger_sink(const Problem& problem, double depth, double pitch);
-
 /// Largest sink that check() allows [m]: 5 mm for a rigid finger, 8 mm for one that yields. The
 /// round end of a finger drawn as a capsule reaches that far below its outermost point.
 double allowed_sink(const Hand& hand);
