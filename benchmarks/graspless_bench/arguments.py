@@ -8,16 +8,18 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from graspless._commands import FOUND, INTERRUPTED, NOT_FOUND
 from graspless.errors import TaskError
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from .machine import Row
+
+Item = TypeVar("Item")
 
 
 def positive(kind: type) -> Any:
@@ -55,13 +57,23 @@ def check_writable(directory: Path) -> None:
         raise TaskError(f"--out: {directory}: cannot be written")
 
 
-def say_partial() -> int:
-    """Prints that an interrupted run is not written; returns the exit code."""
-    print("interrupted: the results are partial, and not written", file=sys.stderr)
-    return INTERRUPTED
+def chosen(option: str, names: list[str] | None, known: dict[str, Item]) -> dict[str, Item]:
+    """Returns the items that the user named, or all. Raises TaskError for an unknown name."""
+    for name in names or []:
+        if name not in known:
+            raise TaskError(f"--{option}: {name}: no such {option} (one of: {', '.join(known)})")
+    return {name: known[name] for name in names} if names else known
 
 
-def finish(options: argparse.Namespace, result: Row, report: Any) -> int:
+def finish(
+    options: argparse.Namespace,
+    result: Row,
+    report: Any,
+    *,
+    complaints: Sequence[Any] | None = None,
+    hidden: str = "",
+    partial: str = ", and not written",
+) -> int:
     """Writes the result of an experiment, prints it, and returns the exit code.
 
     Parameters
@@ -69,13 +81,23 @@ def finish(options: argparse.Namespace, result: Row, report: Any) -> int:
     options : argparse.Namespace
         With `out` and `json`.
     result : dict
-        With `complete` and `complaints`. A partial result is not written.
+        With `complete` if it can be partial; then it is not written.
     report : module
         With `write` and `as_text`.
+    complaints : list, optional
+        What fails; default: the field `complaints`.
+    hidden : str
+        Field that --json does not print.
+    partial : str
+        End of the message about a partial result.
     """
-    if options.out is not None and result["complete"]:
+    complaints = result["complaints"] if complaints is None else complaints
+    is_complete = result.get("complete", True)
+    if options.out is not None and is_complete:
         report.write(result, options.out)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    if not result["complete"]:
-        return say_partial()
-    return NOT_FOUND if result["complaints"] else FOUND
+    shown = {name: value for name, value in result.items() if name != hidden}
+    print(json.dumps(shown) if options.json else report.as_text(result))
+    if not is_complete:
+        print(f"interrupted: the results are partial{partial}", file=sys.stderr)
+        return INTERRUPTED
+    return NOT_FOUND if complaints else FOUND

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 Row = dict[str, Any]  # of a result: values that JSON can hold, by name
-MEGA = 1e6
 
 
 def versions() -> Row:
@@ -59,7 +58,7 @@ def machine(load: Sequence[float], baseline_bytes: int) -> Row:
         "system": f"{platform.system()} {platform.machine()}",
         "load_before": [round(x, 2) for x in load],
         "load_after": [round(x, 2) for x in os.getloadavg()],
-        "baseline_mb": round(baseline_bytes / MEGA, 1),
+        "baseline_mb": round(baseline_bytes / memory.MEGA, 1),
         "peak_is_per_query": memory.reset_peak(),
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
         "command": _command(),

@@ -8,6 +8,7 @@ import re
 import resource
 from pathlib import Path
 
+MEGA = 1e6
 _SELF = Path("/proc/self")
 
 

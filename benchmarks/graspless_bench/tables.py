@@ -17,7 +17,11 @@ Column = tuple[str, "Callable[[Row], str]"]
 
 
 def write_json(result: Row, path: Path) -> None:
-    """Writes a result as JSON, with one line for each item of a list and for each other field."""
+    """Writes a result as JSON, with one line for each item of a list and for each other field.
+
+    The folder is created if it is missing.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
     lines = []
     for name, value in result.items():
         text = json.dumps(value, ensure_ascii=False)
@@ -32,11 +36,11 @@ def printed(result: Row, parts: Iterable[str], notes: Iterable[str] = ()) -> str
     """Returns the text that a command prints: parts, the machine, notes and complaints."""
     where = result["machine"]
     lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+        "" if result.get("complete", True) else "INTERRUPTED: these are partial results",
         *parts,
         f"on {where['cpu']}, load {where['load_before'][0]} before, {where['load_after'][0]} after",
         *notes,
-        *(f"DOES NOT HOLD: {text}" for text in result["complaints"]),
+        *(f"DOES NOT HOLD: {text}" for text in result.get("complaints", ())),
     ]
     return "\n".join(line for line in lines if line)
 

@@ -79,7 +79,7 @@ def test_engines_that_differ(slides):
 
 def test_the_page(slides, tmp_path):
     result = report.as_result("weak", slides, (0.1, 0.2, 0.3))
-    report.write(result, slides, tmp_path)
+    report.write(result, tmp_path)
     text = (tmp_path / "fingertip.md").read_text()
     assert "| slide, 10 N, fast | 10.016453262 |" in text
     assert "- slide, 10 N: slide (" in text

@@ -45,7 +45,6 @@ def _run(options: argparse.Namespace) -> int:
     from .run import count, run
 
     load = os.getloadavg()
-    bar = Bar(f"bench clasp, {options.grid}", count(options.grid, options.seeds))
-    result = run(options.grid, options.seeds, options.seed, options.time, bar.tell)
-    bar.close()
+    with Bar(f"bench clasp, {options.grid}", count(options.grid, options.seeds)) as bar:
+        result = run(options.grid, options.seeds, options.seed, options.time, bar.tell)
     return finish(options, report.as_result(result, load), report)

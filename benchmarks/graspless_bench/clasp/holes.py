@@ -8,12 +8,14 @@ import functools
 import importlib
 import importlib.util
 import time
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from graspless import geometry
 
+from ..bar import told
 from .shapes import Shape, with_holes, without_holes
 
 if TYPE_CHECKING:
@@ -50,14 +52,9 @@ def rows(
     seeds: int, seed: int, tell: Callable[[int, str], None] = lambda done, name: None
 ) -> Iterator[Row]:
     """Returns a row for every shape, size, noise and seed."""
-    done = 0
-    for shape in shapes():
-        for size in SIZES:
-            for noise in NOISES:
-                for s in range(seed, seed + seeds):
-                    tell(done, f"{shape.name}, {size} points")
-                    yield _measure(shape, size, noise, s)
-                    done += 1
+    clouds = product(shapes(), SIZES, NOISES, range(seed, seed + seeds))
+    for asked in told(clouds, tell, lambda one: f"{one[0].name}, {one[1]} points"):
+        yield _measure(*asked)
 
 
 def _measure(shape: Shape, size: int, noise: float, seed: int) -> Row:

@@ -7,12 +7,14 @@ from __future__ import annotations
 import dataclasses
 import os
 import time
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from graspless import clasp, geometry
 
+from ..bar import told
 from .grid import POINTS
 
 if TYPE_CHECKING:
@@ -90,8 +92,8 @@ CLOUDS = (
 def rows(tell: Callable[[int, str], None] = lambda done, name: None) -> Iterator[Row]:
     """Returns a row for every object and cloud, with the least time of several runs."""
     whole: dict[tuple[str, int], Points] = {}
-    for done, (name, cloud) in enumerate((n, c) for n in HOLES for c in CLOUDS):
-        tell(done, f"{name}, {cloud.kind}")
+    asked = told(product(HOLES, CLOUDS), tell, lambda one: f"{one[0]}, {one[1].kind}")
+    for name, cloud in asked:
         if (name, cloud.points) not in whole:
             shapes = clasp.sample_object(name)
             whole[name, cloud.points] = geometry.sample_surface(shapes, cloud.points)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import _peers
+from ..bar import told
 from . import measure
 from .grid import HANDS, POSES, Trial
 
@@ -32,8 +33,7 @@ def rows(
     seeds: int, start: int, seconds: float | None, tell: Callable[[int, str], None]
 ) -> Iterator[Row]:
     """Returns two rows for every trial: one of the Grasp-RRT and one of ours."""
-    for done, trial in enumerate(trials(seeds, start)):
-        tell(done, trial.name)
+    for trial in told(trials(seeds, start), tell):
         yield grasp(trial, seconds)
         ours = measure.measure(trial, seconds)
         yield {

@@ -10,6 +10,7 @@ from .. import machine
 from ..pages import write_page
 from ..tables import aligned, printed, write_json
 from . import pictures, tables
+from .command import GRIDS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
     from ..machine import Row
     from .run import Run
-
-GRID_NAMES = ("paper", "chair", "tolerance", "small", "grasp_rrt", "loops", "holes")
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
@@ -48,7 +47,6 @@ def as_text(result: Row) -> str:
 
 def write(result: Row, directory: Path) -> None:
     """Writes clasp_GRID.json and pictures, and clasp.md anew from all such files there."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"clasp_{result['grid']}.json")
     pictures.draw(result, directory)
-    write_page("clasp", [f"clasp_{grid}" for grid in GRID_NAMES], tables.fields, directory)
+    write_page("clasp", [f"clasp_{grid}" for grid in GRIDS], tables.fields, directory)

@@ -5,8 +5,9 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from ..bar import collected, told
 from . import holes, loops, measure, peers, small
 from .grid import GRIDS
 
@@ -26,15 +27,10 @@ class Run:
 
     @property
     def totals(self) -> Row:
-        if self.grid == "loops":
-            return loops.totals(self.rows)
-        if self.grid == "holes":
-            return holes.totals(self.rows)
-        if self.grid == "grasp_rrt":
-            return peers.totals(self.rows)
-        if self.grid == "small":
-            return small.totals(self.rows)
-        return measure.totals(self.rows)
+        others = {"loops": loops, "holes": holes, "grasp_rrt": peers, "small": small}
+        module: Any = others.get(self.grid, measure)
+        totals: Row = module.totals(self.rows)
+        return totals
 
     @property
     def complaints(self) -> list[str]:
@@ -73,14 +69,7 @@ def run(
     tell : function
         Called with the number of steps that are done, and the next one.
     """
-    result = Run(grid)
-    try:
-        for row in _measured(grid, seeds, seed, seconds, tell):
-            result.rows.append(row)
-        result.is_complete = True
-    except KeyboardInterrupt:
-        pass
-    return result
+    return Run(grid, *collected(_measured(grid, seeds, seed, seconds, tell)))
 
 
 def _measured(
@@ -93,6 +82,5 @@ def _measured(
     elif grid == "grasp_rrt":
         yield from peers.rows(seeds, seed, seconds, tell)
     else:
-        for done, trial in enumerate(GRIDS[grid](seeds, seed)):
-            tell(done, trial.name)
+        for trial in told(GRIDS[grid](seeds, seed), tell):
             yield measure.measure(trial, seconds)

@@ -44,12 +44,11 @@ def _run(options: argparse.Namespace) -> int:
 
     counts: Counter[str] = Counter({"violations": 0})
     rng = np.random.default_rng(14)
-    bar = Bar(f"bench edges, {options.kind}", options.plans)
     times = []
-    for done, case in enumerate(itertools.islice(MAKERS[options.kind](), options.plans)):
-        bar.tell(done, "")
-        times.append(measure(case, rng, counts))
-    bar.close()
+    with Bar(f"bench edges, {options.kind}", options.plans) as bar:
+        for done, case in enumerate(itertools.islice(MAKERS[options.kind](), options.plans)):
+            bar.tell(done)
+            times.append(measure(case, rng, counts))
     solved = [1e3 * seconds for seconds in times if seconds is not None]
     median, most = (float(np.quantile(solved, q)) if solved else math.nan for q in (0.5, 0.99))
     if options.json:

@@ -4,13 +4,10 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
-
-from ..arguments import add_output, positive, say_partial
+from ..arguments import add_output, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -56,13 +53,9 @@ def _run(options: argparse.Namespace) -> int:
     make, engines = MAKERS[options.grid]
     trials = list(make([options.engine] if options.engine else engines))
     load = os.getloadavg()
-    bar = Bar(f"bench fingertip, {options.grid}", len(trials))
-    result = run.run(trials, options.runs, options.time, bar.tell)
-    bar.close()
-    table = report.as_result(options.grid, result, load)
-    if options.out is not None and result.is_complete:
-        report.write(table, result, options.out)
-    print(json.dumps(table) if options.json else report.as_text(table))
-    if not result.is_complete:
-        return say_partial()
-    return NOT_FOUND if table["complaints"] else FOUND
+    with Bar(f"bench fingertip, {options.grid}", len(trials)) as bar:
+        result = run.run(trials, options.runs, options.time, bar.tell)
+    code = finish(options, report.as_result(options.grid, result, load), report)
+    if options.out is not None and options.grid == "paper" and result.is_complete:
+        report.draw(result, options.out)
+    return code

@@ -46,18 +46,14 @@ def as_text(result: Row) -> str:
     return printed(result, parts)
 
 
-def write(result: Row, run: Run, directory: Path) -> None:
-    """Writes fingertip_GRID.json and the pictures of plans, and fingertip.md anew from all such
-    files in the directory.
-    """
-    directory.mkdir(parents=True, exist_ok=True)
+def write(result: Row, directory: Path) -> None:
+    """Writes fingertip_GRID.json, and fingertip.md anew from all such files in the directory."""
     write_json(result, directory / f"fingertip_{result['grid']}.json")
-    if result["grid"] == "paper":
-        _draw(run, directory)
     write_page("fingertip", [f"fingertip_{grid}" for grid in GRIDS], _fields, directory)
 
 
-def _draw(run: Run, directory: Path) -> None:
+def draw(run: Run, directory: Path) -> None:
+    """Draws the plans of the paper's cases."""
     from graspless import fingertip, view
 
     for found in run.found:

@@ -13,6 +13,8 @@ from graspless import fingertip
 from graspless._core import fingertip as core  # the file's numbers are not wanted
 
 from .. import memory
+from ..bar import collected, told
+from ..memory import MEGA
 from .grid import PAPER_MINUTES, REFERENCE_COSTS
 
 if TYPE_CHECKING:
@@ -23,7 +25,6 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .grid import Trial
 
-MEGA = 1e6
 # Counters of the search in each row, from Plan.statistics.
 COUNTERS = (
     "z_evaluations",
@@ -70,15 +71,8 @@ def run(
     tell : function
         Called with the number of trials that are done, and the next one.
     """
-    result = Run()
-    try:
-        for done, trial in enumerate(trials):
-            tell(done, f"{trial.case}, {trial.engine}")
-            result.found.append(_measure(trial, runs, seconds))
-        result.is_complete = True
-    except KeyboardInterrupt:
-        pass
-    return result
+    asked = told(trials, tell, lambda trial: f"{trial.case}, {trial.engine}")
+    return Run(*collected(_measure(trial, runs, seconds) for trial in asked))
 
 
 def _measure(trial: Trial, runs: int | None, seconds: float | None) -> Found:

@@ -4,16 +4,14 @@
 
 from __future__ import annotations
 
-import json
 import os
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
 from graspless.errors import TaskError
 
-from ..arguments import add_output, check_writable, positive
+from ..arguments import add_output, check_writable, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -88,11 +86,11 @@ def _views(text: str) -> list[int]:
 
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
-    from ..see.command import chosen
+    from ..see.command import paths_of
     from . import pictures, report
     from .run import queries, read_excluded, read_masses, run
 
-    paths = chosen(options.folder, options.mesh)
+    paths = paths_of(options.folder, options.mesh)
     masses = read_masses(options.masses)
     robots, views = _robots(options.robots), _views(options.views)
     excluded = read_excluded(options.excluded, {path.stem for path in paths}, robots)
@@ -106,17 +104,14 @@ def _run(options: argparse.Namespace) -> int:
         options.out.mkdir(parents=True, exist_ok=True)
         log = options.out / "household.rows"
     load = os.getloadavg()
-    everything = chosen(options.folder, None)
+    everything = paths_of(options.folder, None)
     asked = queries(paths, robots, views, options.poses, masses, options.seed, everything)
-    bar = Bar("bench household", len(asked))
-    rows = run(asked, options.jobs, log, bar.tell)
-    bar.close()
-    result = report.as_result(rows, load, excluded)
+    with Bar("bench household", len(asked)) as bar:
+        rows = run(asked, options.jobs, log, bar.tell)
+    code = finish(options, report.as_result(rows, load, excluded), report)
     if log is not None:
-        report.write(result, options.out)
         pictures.draw(rows, asked, options.out / "household.png")
         log.unlink(missing_ok=True)
     if options.films is not None:
         pictures.film(rows, asked, options.films, FILMS)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    return NOT_FOUND if result["complaints"] else FOUND
+    return code

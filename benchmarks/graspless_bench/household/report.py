@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
-import string
 from collections import Counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .. import machine, memory
-from ..pages import circumstances, template
+from ..pages import write_page
 from ..statistics import wilson
 from ..tables import aligned, markdown, write_json
 
@@ -178,18 +177,19 @@ def _excluded(reasons: Mapping[str, Mapping[str, str]]) -> str:
 def write(result: Row, directory: Path) -> None:
     """Writes household.json and household.md into a folder."""
     write_json(result, directory / "household.json")
+    write_page("household", ["household"], _fields, directory)
+
+
+def _fields(result: Row) -> dict[str, str]:
     tables = [
         f"### {_title(setting)}\n\n{markdown(setting['groups'], GROUPS, '')}\n\n{_times(setting)}"
         for setting in result["settings"]
     ]
     objects = _objects(result)
-    facts: dict[str, Any] = {
-        "trials": len(result["rows"]),
-        "objects": len(objects),
+    return {
+        "trials": str(len(result["rows"])),
+        "objects": str(len(objects)),
         "excluded": _excluded(result["excluded"]),
         "groups": "\n\n".join(tables),
         "each": markdown(objects, _each(result), "object"),
     }
-    facts |= {f"run_{name}": text for name, text in circumstances([result]).items()}
-    page = string.Template(template("household")["head"]).substitute(facts)
-    (directory / "household.md").write_text(page, encoding="utf-8")

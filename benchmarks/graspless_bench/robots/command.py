@@ -4,19 +4,13 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
-from graspless.errors import TaskError
-
-from ..arguments import add_output, positive
+from ..arguments import add_output, chosen, finish, positive
 
 if TYPE_CHECKING:
     import argparse
-
-    from .fleet import Member
 
 
 def add_parser(experiments: Any) -> None:
@@ -45,28 +39,12 @@ def add_parser(experiments: Any) -> None:
 def _run(options: argparse.Namespace) -> int:
     from ..bar import Bar
     from . import report
+    from .fleet import FLEET
     from .run import run
 
-    fleet = _chosen(options.robot)
+    fleet = chosen("robot", options.robot, {member.name: member for member in FLEET}).values()
     load = os.getloadavg()
-    bar = Bar("bench robots", len(fleet))
     limits = (options.time, options.clasp_time)
-    rows = run(fleet, options.slides, options.clasps, limits, bar.tell)
-    bar.close()
-    result = report.as_result(rows, load)
-    if options.out is not None:
-        report.write(result, options.out)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    return NOT_FOUND if result["complaints"] else FOUND
-
-
-def _chosen(names: list[str] | None) -> list[Member]:
-    from .fleet import FLEET
-
-    if names is None:
-        return list(FLEET)
-    known = {member.name: member for member in FLEET}
-    for name in names:
-        if name not in known:
-            raise TaskError(f"--robot: {name}: no such robot (one of: {', '.join(known)})")
-    return [known[name] for name in names]
+    with Bar("bench robots", len(fleet)) as bar:
+        rows = run(fleet, options.slides, options.clasps, limits, bar.tell)
+    return finish(options, report.as_result(rows, load), report)

@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-import string
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
 
 from .. import machine, memory
-from ..pages import circumstances, template
-from ..tables import aligned, markdown, milliseconds, write_json
+from ..pages import write_page
+from ..tables import aligned, markdown, milliseconds, printed, write_json
 from .fleet import PACKAGES
 
 if TYPE_CHECKING:
@@ -59,17 +58,17 @@ def _packages() -> dict[str, str]:
 
 def as_text(result: Row) -> str:
     """Returns the text that the command prints."""
-    lines = [aligned("robot", result["rows"], COLUMNS)]
-    lines += [f"{r['name']}: {r['refused']}" for r in result["rows"] if r["refused"]]
-    lines += [f"DOES NOT HOLD: {text}" for text in result["complaints"]]
-    return "\n".join(lines)
+    refused = [f"{r['name']}: {r['refused']}" for r in result["rows"] if r["refused"]]
+    return printed(result, [aligned("robot", result["rows"], COLUMNS)], refused)
 
 
 def write(result: Row, directory: Path) -> None:
     """Writes robots.json, and robots.md from it."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / "robots.json")
-    page = template("robots")
+    write_page("robots", ["robots"], _fields, directory)
+
+
+def _fields(result: Row) -> dict[str, str]:
     reasons = [
         {"name": row["name"], "reason": _short(row["refused"])}
         for row in result["rows"]
@@ -79,7 +78,7 @@ def write(result: Row, directory: Path) -> None:
         {"name": f"[{name}](https://pypi.org/project/{name}/)", "licence": licence}
         for name, (_, licence) in PACKAGES.items()
     ]
-    fields = circumstances([result]) | {
+    return {
         "inspected": str(result["inspected"]),
         "robots": str(result["robots"]),
         "found": markdown(result["rows"], FOUND, "robot"),
@@ -87,8 +86,6 @@ def write(result: Row, directory: Path) -> None:
         "reasons": markdown(reasons, [("most frequent reason", lambda r: r["reason"])], "robot"),
         "licences": markdown(licences, [("licence", lambda r: r["licence"])], "package"),
     }
-    text = page["head"] + "\n" + page["fleet"]
-    (directory / "robots.md").write_text(string.Template(text).substitute(fields), encoding="utf-8")
 
 
 def _short(text: str) -> str:

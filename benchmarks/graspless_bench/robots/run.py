@@ -24,6 +24,7 @@ from graspless.tasks.robot_files import resolve_robot
 from graspless.tasks.robots import Robot, build_robot
 from graspless.tasks.source import Source
 
+from ..bar import told
 from ..statistics import quantile
 from .scene import Scene
 
@@ -59,8 +60,7 @@ def run(
         Called with the number of robots that are done, and the next one's name.
     """
     rows = []
-    for done, member in enumerate(fleet):
-        tell(done, member.name)
+    for member in told(fleet, tell):
         with warnings.catch_warnings():  # of entries of stock files that are skipped
             warnings.simplefilter("ignore")
             rows.append(_measure(member, slides, clasps, limits))

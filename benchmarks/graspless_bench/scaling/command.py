@@ -32,8 +32,6 @@ def _run(options: argparse.Namespace) -> int:
 
     curves = measure.chosen(options.curve)
     load = os.getloadavg()
-    bar = Bar("bench scaling", sum(len(curve.sizes) for curve in curves))
-    rows, is_complete = measure.run(curves, bar.tell)
-    bar.close()
-    result = report.as_result(rows, is_complete, load)
-    return finish(options, result, report)
+    with Bar("bench scaling", sum(len(curve.sizes) for curve in curves)) as bar:
+        rows, is_complete = measure.run(curves, bar.tell)
+    return finish(options, report.as_result(rows, is_complete, load), report)

@@ -13,6 +13,7 @@ import numpy as np
 
 from graspless.errors import TaskError, missing
 
+from ..bar import collected, told
 from .curves import CURVES
 
 if TYPE_CHECKING:
@@ -43,15 +44,9 @@ def run(
     curves: Sequence[Curve], tell: Callable[[int, str], None] = lambda done, name: None
 ) -> tuple[list[Row], bool]:
     """Returns a row for every size of every curve, and False after Ctrl-C."""
-    rows: list[Row] = []
-    try:
-        for curve in curves:
-            for size in curve.sizes:
-                tell(len(rows), f"{curve.name}, {size}")
-                rows.append(_row(curve, size))
-    except KeyboardInterrupt:
-        return rows, False
-    return rows, True
+    sizes = ((curve, size) for curve in curves for size in curve.sizes)
+    asked = told(sizes, tell, lambda one: f"{one[0].name}, {one[1]}")
+    return collected(_row(curve, size) for curve, size in asked)
 
 
 def exponent(sizes: Sequence[float], seconds: Sequence[float]) -> float:

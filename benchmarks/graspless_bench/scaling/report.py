@@ -4,11 +4,10 @@
 
 from __future__ import annotations
 
-import string
 from typing import TYPE_CHECKING
 
 from .. import machine
-from ..pages import circumstances, template
+from ..pages import write_page
 from ..tables import aligned, markdown, milliseconds, printed, write_json
 from .curves import CURVES
 from .measure import GOOD, exponent
@@ -78,17 +77,16 @@ def _named(rows: Sequence[Row]) -> list[Row]:
 
 def write(result: Row, directory: Path) -> None:
     """Writes scaling.json, scaling.png and scaling.md."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / "scaling.json")
     _draw(result, directory / "scaling.png")
-    page = template("scaling")
-    fields = {
+    write_page("scaling", ["scaling"], _fields, directory)
+
+
+def _fields(result: Row) -> dict[str, str]:
+    return {
         "curves": markdown(result["curves"], _CURVES, "curve"),
         "sizes": markdown(_named(result["rows"]), _SIZES, "curve, size"),
     }
-    text = string.Template(page["head"]).substitute(fields)
-    end = string.Template(page["circumstances"]).substitute(circumstances([result]))
-    (directory / "scaling.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
 def _draw(result: Row, path: Path) -> None:

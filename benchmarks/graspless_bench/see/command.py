@@ -4,15 +4,13 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND
 from graspless.errors import TaskError
 
-from ..arguments import add_output, positive
+from ..arguments import add_output, chosen, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -54,19 +52,15 @@ def _run(options: argparse.Namespace) -> int:
 
     named = {} if options.grid == "plans" else _named(options)
     load = os.getloadavg()
-    bar = Bar(f"bench see, {options.grid}", len(named) or plans.count())
-    if options.grid == "plans":
-        result = report.of_plans(plans.run(bar.tell), load)
-    elif options.grid == "holes":
-        result = report.of_holes(holes.run(list(named), bar.tell), load)
-    else:
-        rows = run.run(named, options.poses, options.seed, bar.tell)
-        result = report.of_outlines(rows, load, is_own=options.folder is None)
-    bar.close()
-    if options.out is not None:
-        report.write(result, options.out)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    return FOUND
+    with Bar(f"bench see, {options.grid}", len(named) or plans.count()) as bar:
+        if options.grid == "plans":
+            result = report.of_plans(plans.run(bar.tell), load)
+        elif options.grid == "holes":
+            result = report.of_holes(holes.run(list(named), bar.tell), load)
+        else:
+            rows = run.run(named, options.poses, options.seed, bar.tell)
+            result = report.of_outlines(rows, load, is_own=options.folder is None)
+    return finish(options, result, report)
 
 
 def _named(options: argparse.Namespace) -> dict[str, geometry.Mesh]:
@@ -81,14 +75,14 @@ def _named(options: argparse.Namespace) -> dict[str, geometry.Mesh]:
                 f"{options.folder}: --grid holes knows the holes of its own objects only"
             )
         known = {name: own.mesh_of(own.by_name()[name]) for name in holes.NAMES}
-        return _chosen(known, options.mesh)
+        return chosen("mesh", options.mesh, known)
     if options.folder is None:
-        return _chosen(own.small(), options.mesh)
-    paths = chosen(options.folder, options.mesh)
+        return chosen("mesh", options.mesh, own.small())
+    paths = paths_of(options.folder, options.mesh)
     return {path.stem: geometry.read_mesh(str(path)) for path in paths}
 
 
-def chosen(folder: Path, names: list[str] | None) -> list[Path]:
+def paths_of(folder: Path, names: list[str] | None) -> list[Path]:
     """Returns the meshes of a folder, or those of the names. Raises TaskError if there is none."""
     from .scenes import meshes
 
@@ -97,11 +91,4 @@ def chosen(folder: Path, names: list[str] | None) -> list[Path]:
     known = {path.stem: path for path in meshes(folder)}
     if not known:
         raise TaskError(f"{folder}: has no meshes (.stl, .obj, .off, .ply)")
-    return list(_chosen(known, names).values())
-
-
-def _chosen(known: dict[str, Any], names: list[str] | None) -> dict[str, Any]:
-    for name in names or []:
-        if name not in known:
-            raise TaskError(f"--mesh: {name}: no such mesh (one of: {', '.join(known)})")
-    return {name: known[name] for name in names} if names else known
+    return list(chosen("mesh", names, known).values())

@@ -185,7 +185,6 @@ def as_text(result: Row) -> str:
 
 def write(result: Row, directory: Path) -> None:
     """Writes the result as JSON, and see.md from all results there, into a folder."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"{result['file']}.json")
     write_page("see", FILES, _fields, directory)
 

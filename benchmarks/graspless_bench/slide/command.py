@@ -4,13 +4,10 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, NOT_FOUND
-
-from ..arguments import add_output, positive, say_partial
+from ..arguments import add_output, finish, positive
 
 if TYPE_CHECKING:
     import argparse
@@ -67,21 +64,12 @@ def _run(options: argparse.Namespace) -> int:
     runs, limit = options.runs or runs, options.time or limit
     trials = _trials(options.grid, runs, options.seed, options.search)
     load = os.getloadavg()
-    bar = Bar(f"bench slide, {options.grid}", len(trials))
-    result = run.run(trials, limit, lambda done, _: bar.tell(done, trials[done - 1].label))
-    bar.close()
+    with Bar(f"bench slide, {options.grid}", len(trials)) as bar:
+        result = run.run(trials, limit, bar.tell)
     table = summary.as_result(options.grid, result, options.seed, limit, load)
     table["search"] = options.search or ("fast" if options.grid in ("paper", "frozen") else "both")
-    if options.out is not None and result.is_complete:
-        report.write(table, options.out)
-    if options.json:
-        print(json.dumps({key: value for key, value in table.items() if key != "curves"}))
-    else:
-        print(report.as_text(table))
-    if not result.is_complete:
-        return say_partial()
     ours = [fault for fault in table["failed_checks"] if fault["method"] not in FOREIGN]
-    return NOT_FOUND if ours else FOUND
+    return finish(options, table, report, complaints=ours, hidden="curves")
 
 
 def _trials(grid: str, runs: int, seed: int, search: str | None) -> list[Trial]:

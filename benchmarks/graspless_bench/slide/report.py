@@ -8,7 +8,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ..statistics import quantile
-from ..tables import aligned, write_json
+from ..tables import aligned, printed, write_json
 from . import document
 from .tables import columns
 
@@ -24,7 +24,6 @@ FRAME = 33.0  # of a camera [ms]
 
 def write(result: Row, directory: Path) -> None:
     """Writes slide_GRID.json and makes slide.md and its pictures anew from all such files there."""
-    directory.mkdir(parents=True, exist_ok=True)
     name = result["grid"]
     if name == "paper":
         name += f"_{result['search']}"
@@ -41,23 +40,19 @@ def as_text(result: Row) -> str:
     for by in dict.fromkeys(row["by"] for row in result["rows"]):
         if by != "cell":
             blocks.append(aligned(by, [r for r in result["rows"] if r["by"] == by], shown))
-    machine = result["machine"]
     query, process = result["peak_mb"], result["process_peak_mb"]
-    lines = [
-        "" if result["complete"] else "INTERRUPTED: these are partial results",
+    parts = [
         f"grid {result['grid']}, seed {result['seed']}, at most {result['time_limit_s']:g} s each;"
         " times in ms, a dash is never",
         *blocks,
         *(_slowest(curve) for curve in result["curves"] if curve["runs"] >= MANY),
         f"memory: a query adds {query:.0f} MB at its peak, {process:.0f} MB with all of Python",
-        f"on {machine['cpu']}, load {machine['load_before'][0]} before, "
-        f"{machine['load_after'][0]} after",
     ]
-    lines += [
+    failed = [
         f"FAILED CHECK: {f['start']} ({f['section']}), seed {f['seed']}: {f['first']}"
         for f in result["failed_checks"]
     ]
-    return "\n".join(line for line in lines if line)
+    return printed(result, parts, failed)
 
 
 def _slowest(curve: Row) -> str:

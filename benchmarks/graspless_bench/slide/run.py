@@ -14,11 +14,12 @@ from graspless import slide
 from graspless._core import slide as core  # the file's numbers are not wanted
 
 from .. import _peers, memory
+from ..bar import collected
 from . import sscbirrt
 from .grid import SSC_PEERS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
 
     from graspless.planning import Budget
 
@@ -60,7 +61,9 @@ class _Pending:
 
 
 def run(
-    trials: Iterable[Trial], seconds: float, tell: Callable[[int, Run], None] = lambda i, r: None
+    trials: Iterable[Trial],
+    seconds: float,
+    tell: Callable[[int, str], None] = lambda done, label: None,
 ) -> Run:
     """Times each trial, in batches, and checks the plans of a batch after it.
 
@@ -70,7 +73,7 @@ def run(
     seconds : float
         For each [s].
     tell : function
-        Called with the number of trials that are done, and the run so far.
+        Called with the number of trials that are done, and the label of the last.
 
     Returns
     -------
@@ -78,22 +81,22 @@ def run(
         Results up to Ctrl-C.
     """
     result = Run()
-    iterator = iter(trials)
-    done = 0
-    try:
-        while batch := list(itertools.islice(iterator, BATCH)):
-            pending = []
-            for trial in batch:
-                pending.append(_query(trial, seconds, result))
-                done += 1
-                tell(done, result)
-            for item in pending:
-                _check(item)
-                result.outcomes.append(item.outcome)
-        result.is_complete = True
-    except KeyboardInterrupt:
-        pass
+    result.outcomes, result.is_complete = collected(_outcomes(trials, seconds, tell, result))
     return result
+
+
+def _outcomes(
+    trials: Iterable[Trial], seconds: float, tell: Callable[[int, str], None], result: Run
+) -> Iterator[Outcome]:
+    numbered = enumerate(trials, 1)
+    while batch := list(itertools.islice(numbered, BATCH)):
+        pending = []
+        for done, trial in batch:
+            pending.append(_query(trial, seconds, result))
+            tell(done, trial.label)
+        for item in pending:
+            _check(item)
+            yield item.outcome
 
 
 def _query(trial: Trial, seconds: float, result: Run) -> _Pending:

@@ -9,7 +9,8 @@ import math
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from ..machine import MEGA, machine, versions
+from ..machine import machine, versions
+from ..memory import MEGA
 from ..statistics import quantile
 from . import sscbirrt
 

@@ -50,12 +50,10 @@ def _times(options: argparse.Namespace) -> int:
     from .queries import chosen
 
     load, queries = os.getloadavg(), chosen(options.query)
-    bar = Bar("bench all", len(queries))
-    with contextlib.ExitStack() as stack:
+    with contextlib.ExitStack() as stack, Bar("bench all", len(queries)) as bar:
         folders = _folders(options, stack)
         asked = {n: stack.enter_context(builds.Build(at)) for n, at in folders.items()}
         rows, is_complete = measure.run(queries, asked, bar.tell)
-    bar.close()
     result = report.as_result("all", rows, is_complete, load, _name(options.against))
     return finish(options, result, report)
 
@@ -67,10 +65,8 @@ def _profile(options: argparse.Namespace) -> int:
 
     profile.needs_valgrind()
     load, queries = os.getloadavg(), [query for query in chosen(options.query) if query.room]
-    bar = Bar("bench profile", len(queries))
-    with contextlib.ExitStack() as stack:
+    with contextlib.ExitStack() as stack, Bar("bench profile", len(queries)) as bar:
         rows, is_complete = profile.run(queries, _folders(options, stack), bar.tell)
-    bar.close()
     result = report.as_result("profile", rows, is_complete, load, _name(options.against))
     return finish(options, result, report)
 

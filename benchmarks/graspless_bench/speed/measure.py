@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
+from ..bar import collected, told
 from ..statistics import quantile
 from .builds import NoAnswerError
 
@@ -35,14 +36,7 @@ def run(
     tell : function
         Called with the number of queries that are done, and the next one.
     """
-    rows: list[Row] = []
-    try:
-        for done, query in enumerate(queries):
-            tell(done, query.name)
-            rows.append(_row(query, builds))
-    except KeyboardInterrupt:
-        return rows, False
-    return rows, True
+    return collected(_row(query, builds) for query in told(queries, tell))
 
 
 def _row(query: Query, builds: Mapping[str, Build]) -> Row:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from graspless.errors import TaskError
 
+from ..bar import collected, told
 from .builds import python
 
 if TYPE_CHECKING:
@@ -69,15 +70,12 @@ def run(
     tell : function
         Called with the number of queries that are done, and the next one.
     """
-    rows: list[Row] = []
-    try:
-        for query in queries:
-            tell(len(rows), query.name)
-            counts = {name: counted(_annotated(query, at)) for name, at in builds.items()}
-            rows.append({"name": query.name, **{name: dict(c) for name, c in counts.items()}})
-    except KeyboardInterrupt:
-        return rows, False
-    return rows, True
+    return collected(_row(query, builds) for query in told(queries, tell))
+
+
+def _row(query: Query, builds: Mapping[str, Path | None]) -> Row:
+    counts = {name: dict(counted(_annotated(query, at))) for name, at in builds.items()}
+    return {"name": query.name, **counts}
 
 
 def counted(lines: Iterable[str]) -> Counter[str]:

@@ -77,7 +77,6 @@ def _unanswered(result: Row) -> list[str]:
 
 def write(result: Row, directory: Path) -> None:
     """Writes speed_PART.json, and speed.md anew from all such files there."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"speed_{result['bench']}.json")
     write_page("speed", [f"speed_{part}" for part in PARTS], _fields, directory)
 

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
     from .queries import Done, Query
 
-MEGA = 1e6
-
 
 class Worker:
     """The query that is open."""
@@ -41,7 +39,7 @@ class Worker:
             return self._open(OF_NAME[request["open"]])
         if "run" in request:
             return self._run(request["run"])
-        return {"megabytes": round(max(0, memory.peak_bytes() - self._before) / MEGA, 1)}
+        return {"megabytes": round(max(0, memory.peak_bytes() - self._before) / memory.MEGA, 1)}
 
     def _open(self, query: Query) -> dict[str, Any]:
         self._runs = list(query.make())
