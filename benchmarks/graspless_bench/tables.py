@@ -52,6 +52,20 @@ def milliseconds(value: float | None) -> str:
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
 
 
+def or_dash(value: float | None, form: str = "") -> str:
+    """Returns a formatted value; a dash stands for None."""
+    return "–" if value is None else format(value, form)
+
+
+def plain(*names: str) -> list[Column]:
+    """Returns columns of fields that are shown as they are, titled by their names."""
+
+    def column(name: str) -> Column:
+        return name, lambda r: str(r[name])
+
+    return [column(name) for name in names]
+
+
 def percent(count: int, runs: int) -> str:
     if runs == 0:
         return "–"

@@ -56,7 +56,7 @@ def test_what_finds_a_mutant_is_counted(monkeypatch):
     monkeypatch.setattr("graspless.simulation.slide.run", execute)
     for module in (mutants, claims, tables):
         monkeypatch.setattr(module, "mutants", lambda kind: few)
-    grid = run.Grid("slide", runs=2, mutants=True)
+    grid = run.Grid("slide", runs=2, experiment="mutants")
     rows = [work.measure(query) for query in grid.queries()]
     assert grid.part == "slide_mutants"
     found = rows[0]["mutants"]

@@ -265,10 +265,10 @@ def test_promises_against_what_broke():
 
 
 def test_only_rows_of_fingertip_plans_have_a_promise():
-    for kind, flags in (("slide", {}), ("fingertip", {"disturb": True})):
-        with pytest.raises(TaskError, match="only rows of fingertip plans"):
-            physics.Grid(kind, runs=1, withstands=True, **flags).check()
-    assert physics.Grid("fingertip", runs=1, withstands=True).part == "fingertip_withstands"
+    for kind in ("slide", "clasp"):
+        with pytest.raises(TaskError, match=f"{kind}: only rows of fingertip plans"):
+            physics.Grid(kind, runs=1, experiment="withstands").check()
+    assert physics.Grid("fingertip", 1, experiment="withstands").part == "fingertip_withstands"
 
 
 def test_new_shapes_have_the_corners_that_they_should():
@@ -310,9 +310,9 @@ def test_interrupted_and_resumed(engine, tmp_path, monkeypatch):
     assert len(first.rows) == len(manifest.read(log, "key")) == 2
     told = []
     measured.append("no interruption any more")
-    second = physics.run(grid, log=log, measure=measure, tell=lambda *now: told.append(now))
+    second = physics.run(grid, log=log, measure=measure, tell=told.append)
     assert second.is_complete
-    assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
+    assert told == [1, 2, 3, 4]
     assert measured[:2] + measured[3:] == [f"{k:03} card {k}" for k in range(4)]
     assert _without_clock(second) == _without_clock(physics.run(grid))
     other = physics.run(physics.Grid("slide", runs=4, trials=3), log=log)  # another question
@@ -407,7 +407,7 @@ def test_area_under_the_curve_is_the_share_of_pairs_in_order():
 
 def test_searches_until_a_plan_holds(engine, monkeypatch):
     monkeypatch.setattr("graspless.proving.SECONDS", 0.2)
-    run = physics.run(physics.Grid("slide", runs=4, trials=8, seed=4, prove=True))
+    run = physics.run(physics.Grid("slide", runs=4, trials=8, seed=4, experiment="prove"))
     drawn = [simulation.variations(8, k) for k in range(4, 8)]
     light = [sum(v.mass < 0.85 for v in trials) for trials in drawn]
     assert 0 < sum(map(bool, light)) < 4
@@ -423,7 +423,7 @@ def test_searches_until_a_plan_holds(engine, monkeypatch):
 
 
 def test_each_condition_is_tried_in_both_loops_with_the_same_difference(engine):
-    row = physics.run(physics.Grid("slide", runs=1, closed_loop=True)).rows[0]
+    row = physics.run(physics.Grid("slide", runs=1, experiment="closed_loop")).rows[0]
     names = [f"{name}, {loop}" for name in conditions.CONDITIONS for loop in ("open", "closed")]
     assert row["of"] == names
     assert all(len(values) == len(names) for values in row["measures"].values())
@@ -448,10 +448,18 @@ def test_each_condition_is_tried_in_both_loops_with_the_same_difference(engine):
     assert (closed["plans"], closed["position_error"]["median"]) == (3, 1)
 
 
-def test_the_ablation_is_the_papers_finger(engine):
-    queries = list(physics.Grid("slide", runs=1, is_ablation=True).queries())
-    assert queries[0].document["hand"]["finger_model"] == "impedance"
-    assert queries[0].executing_finger == "flexure"
+def test_the_ablation_is_the_papers_finger(engine, monkeypatch):
+    (query,) = physics.Grid("slide", runs=1, experiment="ablation").queries()
+    assert query.document["hand"]["finger_model"] == "impedance"
+    executed = []
+
+    def execute(plan, variation, **how):
+        executed.append(plan.task.problem.hand.finger_model.name)
+        return run_trial(plan, variation, **how)
+
+    monkeypatch.setattr(simulation.simulation_kind("slide"), "run", execute)
+    assert work.measure(query)["status"] == "solved"
+    assert executed == ["flexure"]
 
 
 def test_files_of_before_still_make_a_page(tmp_path):
@@ -506,12 +514,10 @@ def test_results_were_made_by_this_code(part):
 @pytest.mark.parametrize(
     ("grid", "message"),
     [
-        (physics.Grid("clasp", 1, is_ablation=True), "--ablation: clasp has none"),
-        (physics.Grid("slide", 1, disturb=True), "--disturb: slide plans have no stability margin"),
-        (physics.Grid("clasp", 1, closed_loop=True), "--closed-loop: clasp: only slide plans"),
-        (physics.Grid("slide", 1, is_ablation=True, closed_loop=True), "--closed-loop: --ablation"),
-        (physics.Grid("slide", 1, disturb=True, prove=True), "--prove: not beside"),
-        (physics.Grid("slide", 1, locked=True), "--locked: slide plans have no certificate"),
+        (physics.Grid("clasp", 1, experiment="ablation"), "--ablation: clasp has none"),
+        (physics.Grid("slide", 1, experiment="disturb"), "--disturb: slide plans have no stab"),
+        (physics.Grid("clasp", 1, experiment="closed_loop"), "--closed-loop: clasp: only slide"),
+        (physics.Grid("slide", 1, experiment="locked"), "--locked: slide plans have no cert"),
         (physics.Grid("slide", 0), "--runs: 0: should be at least 1"),
         (physics.Grid("slide", 1, seed=-1), "--seed: -1: should not be negative"),
     ],
@@ -519,6 +525,15 @@ def test_results_were_made_by_this_code(part):
 def test_grids_that_are_none(grid, message):
     with pytest.raises(TaskError, match=message):
         grid.check()
+
+
+@pytest.mark.parametrize("one", ["--ablation", "--disturb", "--withstands", "--mutants"])
+@pytest.mark.parametrize("other", [["--closed-loop"], ["--prove", "5"], ["--locked"]])
+def test_there_is_one_experiment_at_a_time(one, other, capsys):
+    with pytest.raises(SystemExit) as error:
+        main(["bench", "physics", "--kind", "slide", one, *other])
+    assert error.value.code == 2
+    assert f"argument {other[0]}: not allowed with argument {one}" in capsys.readouterr().err
 
 
 def test_every_kind_is_asked_something():

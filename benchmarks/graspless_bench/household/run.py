@@ -4,14 +4,12 @@
 
 from __future__ import annotations
 
-import contextlib
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from graspless.batches import manifest, pools
-from graspless.batches.spread import spread
 from graspless.errors import TaskError
 
+from ..resume import death, rows_of
 from .trial import Query, label_of, measure, nothing
 
 if TYPE_CHECKING:
@@ -47,23 +45,16 @@ def run(
     tell: Callable[[int], object] = lambda done: None,
 ) -> list[Row]:
     """Returns the rows of trials, made by `jobs` processes. Those of the log are not run again."""
-    keys = [query.row["key"] for query in asked]
-    known = {} if log is None else manifest.read(log, "key")
-    left = [query for query, key in zip(asked, keys, strict=True) if key not in known]
-    with contextlib.ExitStack() as stack:
-        kept = None if log is None else stack.enter_context(manifest.opened(log))
-        pool = stack.enter_context(pools.opened(jobs, None))
-        for done, row in enumerate(spread(measure, left, pool, _died), len(asked) - len(left) + 1):
-            known[row["key"]] = row
-            if kept is not None:
-                kept.add(row)
-            tell(done)
-    return [known[key] for key in keys]
+    keyed = {query.row["key"]: query for query in asked}
+    known: dict[str, Row] = {}
+    for row in rows_of(keyed, jobs, log, measure, _died):
+        known[row["key"]] = row
+        tell(len(known))
+    return [known[key] for key in keyed]
 
 
 def _died(query: Query, told: str, seconds: float) -> Row:
-    reason = f"its process died after {seconds:.0f} s: {told.strip().partition(chr(10))[0]}"
-    return nothing(query) | {"stage": "wrong", "reason": reason}
+    return nothing(query) | {"stage": "wrong", "reason": death(told, seconds)}
 
 
 def read_masses(path: Path | None) -> dict[str, float]:

@@ -4,17 +4,53 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
 from typing import TYPE_CHECKING, Any
 
-from graspless._commands import FOUND, INTERRUPTED, NOT_FOUND
-
-from ..arguments import add_output, positive
+from ..arguments import add_output, finish, positive
 
 if TYPE_CHECKING:
     import argparse
+
+# Kind of plans that has the experiment, or any; end of the message for other kinds; help.
+EXPERIMENTS = {
+    "ablation": (
+        "slide",
+        " has none (slide has)",
+        "slide: the paper's formula on the commanded tip",
+    ),
+    "disturb": (
+        "fingertip",
+        " plans have no stability margin (fingertip plans do)",
+        "fingertip: instead of trials, the smallest wrench that breaks the weakest row (slow)",
+    ),
+    "withstands": (
+        "fingertip",
+        ": only rows of fingertip plans are tested",
+        "fingertip: instead of trials, the smallest wrenches that break rows of plans for other "
+        "objects, against the disturbance that the rows withstand",
+    ),
+    "closed_loop": (
+        "slide",
+        ": only slide plans are followed",
+        "slide: instead of trials, each condition in open and in closed loop",
+    ),
+    "prove": (
+        "",
+        "",
+        "instead of trials, plan until a plan holds as planned and in N varied trials",
+    ),
+    "mutants": (
+        "",
+        "",
+        "instead of trials, break every plan on purpose, and see what check and simulate find",
+    ),
+    "locked": (
+        "clasp",
+        " plans have no certificate (clasp plans do)",
+        "clasp: instead of trials, certificates against hands with locked motors",
+    ),
+}
 
 
 def add_parser(experiments: Any) -> None:
@@ -45,62 +81,26 @@ def add_parser(experiments: Any) -> None:
     parser.add_argument(
         "--jobs", type=positive(int), default=1, metavar="J", help="processes (%(default)s)"
     )
-    parser.add_argument(
-        "--ablation", action="store_true", help="slide: the paper's formula on the commanded tip"
-    )
-    parser.add_argument(
-        "--disturb",
-        action="store_true",
-        help="fingertip: instead of trials, the smallest wrench that breaks the weakest row (slow)",
-    )
-    parser.add_argument(
-        "--withstands",
-        action="store_true",
-        help="fingertip: instead of trials, the smallest wrenches that break rows of plans for "
-        "other objects, against the disturbance that the rows withstand",
-    )
-    parser.add_argument(
-        "--closed-loop",
-        action="store_true",
-        help="slide: instead of trials, each condition in open and in closed loop",
-    )
-    parser.add_argument(
-        "--prove",
-        type=positive(int),
-        metavar="N",
-        help="instead of trials, plan until a plan holds as planned and in N varied trials",
-    )
-    parser.add_argument(
-        "--mutants",
-        action="store_true",
-        help="instead of trials, break every plan on purpose, and see what check and simulate find",
-    )
-    parser.add_argument(
-        "--locked",
-        action="store_true",
-        help="clasp: instead of trials, certificates against hands with locked motors",
-    )
+    group = parser.add_mutually_exclusive_group()
+    for name, (*_, about) in EXPERIMENTS.items():
+        flag = {"action": "store_const", "dest": "experiment", "const": name, "default": ""}
+        how: dict[str, Any] = flag if name != "prove" else {"type": positive(int), "metavar": "N"}
+        group.add_argument(f"--{name.replace('_', '-')}", help=about, **how)
     add_output(parser, _run, "write physics_KIND.json and physics.md there")
 
 
 def _run(options: argparse.Namespace) -> int:
-    from graspless.batches.cli import bar
     from graspless.simulation import simulation_kind
 
+    from ..bar import Bar
     from . import report
     from .mutants import PLANS
     from .run import BREAK_RUNS, RUNS, Grid, run
 
-    of_part = PLANS if options.mutants else BREAK_RUNS if options.withstands else None
-    runs = options.runs or of_part or RUNS[options.kind]
-    alone = options.disturb or options.closed_loop or options.mutants or options.locked
-    alone = alone or options.withstands
-    trials = 1 if alone else options.trials
-    trials = trials if options.prove is None else 1 + options.prove
-    proves = options.prove is not None
-    others = (options.mutants, options.locked, options.withstands)
-    flags = options.ablation, options.disturb, options.closed_loop, proves, *others
-    grid = Grid(options.kind, runs, trials, options.seed, *flags)
+    experiment = "prove" if options.prove else options.experiment
+    usual = {"mutants": PLANS, "withstands": BREAK_RUNS}.get(experiment, RUNS[options.kind])
+    trials = options.trials if experiment in ("", "ablation") else 1 + (options.prove or 0)
+    grid = Grid(options.kind, options.runs or usual, trials, options.seed, experiment)
     grid.check()
     simulation_kind(grid.kind)  # there is one
     log = None
@@ -108,15 +108,10 @@ def _run(options: argparse.Namespace) -> int:
         options.out.mkdir(parents=True, exist_ok=True)
         log = options.out / f"physics_{grid.part}.rows"
     load = os.getloadavg()
-    with bar(f"bench physics, {grid.part}") as tell:
-        found = run(grid, options.jobs, log, tell)
-    result = report.as_result(found, load)
+    with Bar(f"bench physics, {grid.part}", grid.runs) as bar:
+        found = run(grid, options.jobs, log, bar.tell)
+    kept = "" if log is None else f"; the same command goes on from {log}"
+    code = finish(options, report.as_result(found, load), report, partial=kept)
     if log is not None and found.is_complete:
-        report.write(result, options.out)
         log.unlink(missing_ok=True)
-    print(json.dumps(result) if options.json else report.as_text(result))
-    if not found.is_complete:
-        kept = "" if log is None else f"; the same command goes on from {log}"
-        print(f"interrupted: the results are partial{kept}", file=sys.stderr)
-        return INTERRUPTED
-    return NOT_FOUND if result["complaints"] else FOUND
+    return code

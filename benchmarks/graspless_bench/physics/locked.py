@@ -12,7 +12,7 @@ import numpy as np
 from graspless import clasp
 from graspless.kinds import part
 
-from ..tables import milliseconds
+from ..tables import milliseconds, or_dash, plain
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -109,7 +109,7 @@ def scores(cases: list[Row]) -> tuple[list[Row], list[Column]]:
         {"name": name, "area": area([score(case) for case in cases], held)}
         for name, score in SCORES.items()
     ]
-    return rows, [("area under the curve", lambda r: _shown(r["area"]))]
+    return rows, [("area under the curve", lambda r: or_dash(r["area"], ".3g"))]
 
 
 def intervals(cases: list[Row]) -> tuple[list[Row], list[Column]]:
@@ -130,10 +130,9 @@ def intervals(cases: list[Row]) -> tuple[list[Row], list[Column]]:
             }
         )
     return rows, [
-        ("hands", lambda r: str(r["hands"])),
-        ("held", lambda r: str(r["held"])),
+        *plain("hands", "held"),
         ("interval of 2 mm", lambda r: str(r["narrow"])),
-        ("width, median [mm]", lambda r: _shown(r["width"])),
+        ("width, median [mm]", lambda r: or_dash(r["width"], ".3g")),
         ("certificate, median [ms]", lambda r: milliseconds(_middle(r["ms"]))),
         ("max [ms]", lambda r: milliseconds(max(r["ms"], default=None))),
         ("random moves, median [ms]", lambda r: milliseconds(_middle(r["moves"]))),
@@ -142,7 +141,3 @@ def intervals(cases: list[Row]) -> tuple[list[Row], list[Column]]:
 
 def _middle(values: list[float]) -> float | None:
     return float(np.median(values)) if values else None
-
-
-def _shown(value: float | None) -> str:
-    return "–" if value is None else f"{value:.3g}"

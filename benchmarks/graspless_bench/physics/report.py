@@ -13,6 +13,7 @@ from .. import machine
 from ..pages import write_page
 from ..tables import aligned, markdown, printed, write_json
 from . import locked, tables
+from .claims import CLAIMS
 from .claims import cases as all_cases
 
 if TYPE_CHECKING:
@@ -22,31 +23,29 @@ if TYPE_CHECKING:
     from ..machine import Row
     from .run import Run
 
-PARTS = (
-    "slide",
-    "slide_ablation",
-    "slide_closed_loop",
-    "slide_prove",
-    "slide_mutants",
-    "fingertip",
-    "fingertip_disturb",
-    "fingertip_withstands",
-    "fingertip_prove",
-    "fingertip_mutants",
-    "clasp",
-    "clasp_prove",
-    "clasp_mutants",
-    "clasp_locked",
-)
+PARTS = tuple(CLAIMS)
+_FIELDS = {  # of the template, by the titles of tables
+    "requirement": "claims",
+    "failure": "failures",
+    "measure": "measures",
+    "condition": "conditions",
+    "new plan": "replans",
+    "score": "scores",
+    "certificate": "certificates",
+    "disturbance": "disturbances",
+    "mutant": "mutants",
+    "search": "proofs",
+    "broke / promised": "promises",
+}
 
 
 def as_result(run: Run, load: Sequence[float]) -> Row:
     """Returns all of a run. `load`: load averages before it."""
     kind: Any = simulation_kind(run.grid.kind)
-    followed = run.grid.closed_loop
-    measures = kind.MEASURES | (kind.FOLLOWED_MEASURES if followed else {})
-    failures = kind.FAILURES | (kind.FOLLOWED_FAILURES if followed else {})
-    if run.grid.locked:
+    measures, failures = kind.MEASURES, kind.FAILURES
+    if run.grid.experiment == "closed_loop":
+        measures, failures = measures | kind.FOLLOWED_MEASURES, failures | kind.FOLLOWED_FAILURES
+    elif run.grid.experiment == "locked":
         measures, failures = locked.MEASURES, locked.FAILURES
     return {
         "bench": "physics",
@@ -70,32 +69,31 @@ def as_text(result: Row) -> str:
     parts = [
         _counts(result["totals"]),
         *(aligned(title, rows, _short(shown)) for title, (rows, shown) in _tables(result).items()),
-        tables.below(result) if result["part"].endswith("_withstands") else "",
+        tables.below(result),
     ]
     return printed(result, parts)
 
 
 def write(result: Row, directory: Path) -> None:
     """Writes physics_PART.json, and physics.md anew from all such files there."""
-    directory.mkdir(parents=True, exist_ok=True)
     write_json(result, directory / f"physics_{result['part']}.json")
     write_page("physics", [f"physics_{part}" for part in PARTS], _fields, directory)
 
 
 def _tables(result: Row) -> dict[str, tables.Table]:
-    asked = {"requirement": tables.claims(result)}
-    if result["part"].endswith("_closed_loop"):
+    asked, experiment = {"requirement": tables.claims(result)}, result["part"].partition("_")[2]
+    if experiment == "closed_loop":
         return asked | {"condition": tables.conditions(result), "new plan": tables.replans(result)}
-    if result["part"].endswith("_locked"):
+    if experiment == "locked":
         cases = [c for of in (locked.CLOSED, locked.OPENED) for c in all_cases(result["rows"], of)]
         return asked | {"score": locked.scores(cases), "certificate": locked.intervals(cases)}
-    if result["part"].endswith("_disturb"):
+    if experiment == "disturb":
         return asked | {"disturbance": tables.disturbances(result)}
-    if result["part"].endswith("_mutants"):
+    if experiment == "mutants":
         return asked | {"mutant": tables.broken(result)}
-    if result["part"].endswith("_prove"):
+    if experiment == "prove":
         return asked | {"search": tables.proofs(result)}
-    if result["part"].endswith("_withstands"):
+    if experiment == "withstands":
         return asked | {"broke / promised": tables.promises(result)}
     return asked | {"failure": tables.failures(result), "measure": tables.measures(result)}
 
@@ -106,19 +104,9 @@ def _short(shown: list[tables.Column]) -> list[tables.Column]:
 
 def _fields(result: Row) -> dict[str, str]:
     """Returns the fields that a section of the template may use: counts and tables."""
-    names = {"requirement": "claims", "failure": "failures", "measure": "measures"}
-    shown = {"disturbance": "disturbances", "condition": "conditions", "search": "proofs"}
-    shown |= {"mutant": "mutants", "score": "scores", "certificate": "certificates"} | names
-    shown |= {"broke / promised": "promises", "new plan": "replans"}
-    fields = {shown[title]: markdown(*table, title) for title, table in _tables(result).items()}
-    return (
-        dict.fromkeys(shown.values(), "")
-        | fields
-        | {
-            "counts": _counts(result["totals"]),
-            "below": tables.below(result) if result["part"].endswith("_withstands") else "",
-        }
-    )
+    fields = {_FIELDS[title]: markdown(*table, title) for title, table in _tables(result).items()}
+    said = {"counts": _counts(result["totals"]), "below": tables.below(result)}
+    return dict.fromkeys(_FIELDS.values(), "") | fields | said
 
 
 def _counts(totals: Row) -> str:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..statistics import wilson
+from .. import statistics
+from ..tables import plain
 from .claims import (
     BROKEN,
     CLAIMS,
@@ -243,21 +244,21 @@ def promises(result: Row) -> Table:
             for name, ratios in found.items()
         }
         rows.append({"name": label} | counts)
-    return rows, [(name, lambda r, name=name: str(r[name])) for name in found]  # type: ignore[misc]
+    return rows, plain(*found)
 
 
 def below(result: Row) -> str:
     """Returns how many tests broke below what the plan promised, with Wilson's bound of 95 %, and
-    how large the promise is.
+    how large the promise is. Empty for other experiments.
     """
     seen = list(cases(result["rows"], DISTURBED))
-    if not seen:
+    if not seen or not result["part"].endswith("_withstands"):
         return ""
     by_law = _broke_below(seen, "withstands_ratio")
     shares = [
         0.0 if c["smallest"] is None else c["withstands"] / max(c["smallest"], 1e-12) for c in seen
     ]
-    most = 100 * wilson(by_law, len(seen), ONE_SIDED)[1]
+    most = 100 * statistics.wilson(by_law, len(seen), ONE_SIDED)[1]
     text = (
         f"Of {len(seen)} tests, {by_law} broke below what the row withstands with fingers in place "
         f"(95 %: fewer than {most:.2g} %); the median of that is "
@@ -267,7 +268,7 @@ def below(result: Row) -> str:
         return text
     promising = [c for c in seen if "promised_ratio" in c]
     over = _broke_below(promising, "promised_ratio")
-    bound = 100 * wilson(over, max(len(promising), 1), ONE_SIDED)[1]
+    bound = 100 * statistics.wilson(over, max(len(promising), 1), ONE_SIDED)[1]
     return (
         f"{text}. Of {len(promising)} tests with a promise, {over} broke below it (95 %: fewer "
         f"than {bound:.2g} %); in {len(seen) - len(promising)}, the fingers' springs were bent by "
@@ -281,9 +282,7 @@ def _broke_below(seen: list[Row], ratio: str) -> int:
 
 def _quantile(values: list[Any], fraction: float, factor: float = 1.0) -> float | None:
     """Returns the least value that at least this fraction does not exceed."""
-    if not values:
-        return None
-    return factor * float(np.quantile(values, fraction, method="inverted_cdf"))
+    return factor * statistics.quantile(values, fraction) if values else None
 
 
 def _in_units(means: str) -> tuple[float, str, str]:
@@ -345,8 +344,7 @@ def _error(measure: str, quantile: str, unit: str) -> Column:
 
 
 CONDITION_COLUMNS: list[Column] = [
-    ("trials", lambda r: str(r["trials"])),
-    ("held", lambda r: str(r["held"])),
+    *plain("trials", "held"),
     *(_error("position_error", quantile, "mm") for quantile in SHOWN),
     *(_error("angle_error", quantile, "deg") for quantile in SHOWN),
     ("new plans", lambda r: str(r["plans"])),
@@ -369,19 +367,13 @@ PROOF_COLUMNS: list[Column] = [
 
 
 BROKEN_COLUMNS: list[Column] = [
-    ("plans", lambda r: str(r["plans"])),
-    ("check", lambda r: str(r["check"])),
-    ("simulate", lambda r: str(r["simulate"])),
+    *plain("plans", "check", "simulate"),
     ("fails by", lambda r: r["failures"] or "–"),
     (MEANING, lambda r: r["breaks"] + (f". Benign: {r['benign']}" if r["benign"] else "")),
 ]
 
 
-def _low(quantile: str) -> Column:
-    return quantile, lambda r: _figure(r[quantile])
-
-
 DISTURBANCE_COLUMNS: list[Column] = [
     ("plans", lambda r: str(r["count"])),
-    *(_low(quantile) for quantile in LOW),
+    *((quantile, lambda r, q=quantile: _figure(r[q])) for quantile in LOW),
 ]

@@ -19,7 +19,7 @@ from graspless.tasks.digest import digest
 from . import locked, mutants
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from graspless._plan import Plan
     from graspless.simulation import Trial
@@ -46,33 +46,15 @@ class Query:
         Of the simulation: the first is nominal.
     seed : int
         Of the variations.
-    disturb : bool
-        Instead of trials: the smallest wrench that breaks the weakest row of a fingertip plan.
-    executing_finger : str, optional
-        Finger model that executes a slide; default: the one that it was planned with.
-    closed_loop : bool
-        Instead of varied trials: a trial of each condition, in open and in closed loop.
-    prove : bool
-        Instead of trials of one plan: plan until one holds in all trials.
-    mutants : bool
-        Instead of trials: what `check` and `simulate` find in the plan broken on purpose.
-    locked : bool
-        Instead of trials: certificates of a clasp against hands with locked motors.
-    withstands : bool
-        Instead of trials: the smallest wrenches that break ROWS rows of a fingertip plan.
+    experiment : str
+        As of a grid.
     """
 
     name: str
     document: dict[str, Any]
     trials: int
     seed: int
-    disturb: bool = False
-    executing_finger: str | None = None
-    closed_loop: bool = False
-    prove: bool = False
-    mutants: bool = False
-    locked: bool = False
-    withstands: bool = False
+    experiment: str = ""
 
     @property
     def key(self) -> str:
@@ -95,7 +77,7 @@ def _measure(query: Query) -> Row:
 
     start = time.perf_counter()
     task = task_from_dict(query.document, query.name)
-    asked: dict[str, Any] = {"prove": query.trials - 1} if query.prove else {}
+    asked: dict[str, Any] = {"prove": query.trials - 1} if query.experiment == "prove" else {}
     plan: Any = _api.plan(task, **asked)
     seconds = time.perf_counter() - start
     faults = _api.check(plan) if plan else []
@@ -108,18 +90,12 @@ def _measure(query: Query) -> Row:
     }
     if not plan or faults:
         return row
-    if query.prove:
+    if query.experiment == "prove":
         return row | {"proof": asdict(plan.proof), "seconds": [_figure(seconds)]}
-    if query.mutants:
+    if query.experiment == "mutants":
         found, seconds = mutants.tried(plan), time.perf_counter() - start
         return row | {"mutants": found, "seconds": [_figure(seconds)]}
-    if query.disturb:
-        return row | _disturbed(plan)
-    if query.locked:
-        return row | _rounded(locked.measure(plan, query.seed))
-    if query.withstands:
-        return row | _broken(plan, query.seed)
-    return row | (_followed(plan, query) if query.closed_loop else _tried(plan, query))
+    return row | _EXECUTED.get(query.experiment, _tried)(plan, query)
 
 
 def unknown(query: Query, status: str, reason: str) -> Row:
@@ -153,9 +129,9 @@ def _tried(plan: Plan, query: Query) -> Row:
     from graspless import simulation
     from graspless.plan_files import read_plan
 
-    if query.executing_finger:
+    if query.experiment == "ablation":  # planned without the flexure that executes it
         document = json.loads(plan.to_json())
-        document["task"]["hand"]["finger_model"] = query.executing_finger
+        document["task"]["hand"]["finger_model"] = "flexure"
         plan = read_plan(json.dumps(document), query.name)
     trials = simulation.simulate(plan, query.trials, query.seed).trials
     return _trials(trials, simulation.simulation_kind(plan.kind).MEASURES)
@@ -184,21 +160,19 @@ def _trials(trials: Sequence[Trial], names: Iterable[str]) -> Row:
     }
 
 
-def _disturbed(plan: Plan) -> Row:
+def _disturbed(plan: Plan, _: Query) -> Row:
     start = time.perf_counter()
-    found: dict[str, Any] = part("simulation", plan.kind).disturb(plan)
-    figures = {
-        name: _figure(value) if isinstance(value, float) else value for name, value in found.items()
-    }
-    return {"disturbed": figures, "seconds": [_figure(time.perf_counter() - start)]}
+    found = _figures(part("simulation", plan.kind).disturb(plan))
+    return {"disturbed": found, "seconds": [_figure(time.perf_counter() - start)]}
 
 
-def _rounded(row: Row) -> Row:
+def _locked(plan: Any, query: Query) -> Row:
+    row = locked.measure(plan, query.seed)
     measures = {name: [_figure(v) for v in values] for name, values in row["measures"].items()}
     return row | {"measures": measures, "seconds": [_figure(s) for s in row["seconds"]]}
 
 
-def _broken(plan: Any, seed: int) -> Row:
+def _broken(plan: Any, query: Query) -> Row:
     """Breaks the row that withstands least, and others at random; equal rows once."""
     from dataclasses import replace
 
@@ -216,7 +190,7 @@ def _broken(plan: Any, seed: int) -> Row:
     rows = list(different.values())
     least = min(rows, key=lambda at: plan.segments[at[0]].withstands[at[1]])
     rows.remove(least)
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng(query.seed)
     drawn = random.permutation(len(rows))[: ROWS - 1]
     others = random.permutation(len(plan.task.options.disturbance_directions))
     settings = Break()
@@ -225,15 +199,24 @@ def _broken(plan: Any, seed: int) -> Row:
     for row in [least, *(rows[i] for i in drawn)]:
         weak = weak_directions(plan, row, WEAK)
         tried = [*weak, *(int(i) for i in others if i not in weak)][: WEAK + OTHERS]
-        found.append(break_test(plan, row, settings, tried).as_dict())
-    figures = [
-        {k: _figure(v) if isinstance(v, float) else v for k, v in one.items()} for one in found
-    ]
-    return {"disturbed": figures, "seconds": [_figure(time.perf_counter() - start)]}
+        found.append(_figures(break_test(plan, row, settings, tried).as_dict()))
+    return {"disturbed": found, "seconds": [_figure(time.perf_counter() - start)]}
+
+
+_EXECUTED: dict[str, Callable[[Any, Query], Row]] = {
+    "disturb": _disturbed,
+    "closed_loop": _followed,
+    "locked": _locked,
+    "withstands": _broken,
+}
 
 
 def _measured(trial: Trial, name: str) -> float | None:
     return _figure(trial.measures[name]) if name in trial.measures else None
+
+
+def _figures(row: Row) -> Row:
+    return {k: _figure(v) if isinstance(v, float) else v for k, v in row.items()}
 
 
 def _figure(value: float) -> float | None:
