@@ -56,8 +56,14 @@ def write_page(
     (directory / f"{page}.md").write_text(text + "\n" + end, encoding="utf-8")
 
 
-def circumstances(results: Iterable[Row]) -> dict[str, str]:
-    """Returns machines, versions, a table of commands, and the complaints of all results."""
+COMPLAINTS: list[Column] = [("complaints", lambda r: str(len(r["complaints"])))]
+
+
+def circumstances(results: Iterable[Row], more: Iterable[Column] = COMPLAINTS) -> dict[str, str]:
+    """Returns machines, versions, a table of commands, and the complaints of all results.
+
+    `more`: further columns of the table.
+    """
     ordered = list(results)
     machines = [f"{r['machine']['cpu']}, {r['machine']['cores']} cores" for r in ordered]
     rows = [{"name": f"`{r['machine']['command']}`", **r} for r in ordered]
@@ -65,7 +71,7 @@ def circumstances(results: Iterable[Row]) -> dict[str, str]:
         ("when", lambda r: r["machine"]["date"]),
         ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
         ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
-        ("complaints", lambda r: str(len(r["complaints"]))),
+        *more,
     ]
     return {
         "machine": ", or ".join(dict.fromkeys(machines)),
@@ -73,5 +79,5 @@ def circumstances(results: Iterable[Row]) -> dict[str, str]:
             f"{name} {version}" for name, version in ordered[0]["versions"].items()
         ),
         "table": markdown(rows, shown, "command"),
-        "complaints": "\n".join(f"- {c}" for r in ordered for c in r["complaints"]),
+        "complaints": "\n".join(f"- {c}" for r in ordered for c in r.get("complaints", ())),
     }

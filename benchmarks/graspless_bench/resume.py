@@ -45,7 +45,10 @@ def rows_of(
     yield from (known[key] for key in asked if key in known)
     left = [query for key, query in asked.items() if key not in known]
     with contextlib.ExitStack() as stack:
-        kept = None if log is None else stack.enter_context(manifest.opened(log))
+        kept = None
+        if log is not None:
+            log.parent.mkdir(parents=True, exist_ok=True)
+            kept = stack.enter_context(manifest.opened(log))
         pool = stack.enter_context(pools.opened(jobs, None))
         for row in spread(measure, left, pool, lost):
             if kept is not None:

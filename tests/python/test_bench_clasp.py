@@ -113,7 +113,7 @@ def test_a_fault_is_a_complaint(one):
 
 
 def test_a_grasp_of_the_peer():
-    trial = next(peers.trials(1))
+    trial = next(grids.purses(1))
     found = peers.grasp(trial, 20)
     assert found["planner"] == "grasp_rrt"
     if found["found"]:

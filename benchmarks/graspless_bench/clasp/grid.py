@@ -182,11 +182,17 @@ def chair(seeds: int, start: int = 1) -> Iterator[Trial]:
 def tolerance(seeds: int, start: int = 1) -> Iterator[Trial]:
     """Returns the trials of Section V-C: thresholds of virtual linking, no stability test."""
     for linking in TOLERANCES:
-        options = (("min_linking", linking), ("must_be_secure", False))
-        for seed in range(start, start + seeds):
-            for hand in HANDS:
-                for pose, place in enumerate(POSES["purse"], 1):
-                    yield Trial(hand, "purse", place, pose, seed, options=options)
+        yield from purses(seeds, start, (("min_linking", linking), ("must_be_secure", False)))
+
+
+def purses(
+    seeds: int, start: int = 1, options: tuple[tuple[str, Any], ...] = ()
+) -> Iterator[Trial]:
+    """Returns trials of every hand with the purse in its poses."""
+    for seed in range(start, start + seeds):
+        for hand in HANDS:
+            for pose, place in enumerate(POSES["purse"], 1):
+                yield Trial(hand, "purse", place, pose, seed, options=options)
 
 
 def small(seeds: int, start: int = 1) -> Iterator[Trial]:

@@ -8,11 +8,11 @@ import math
 import os
 import statistics
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graspless import clasp, geometry
+from graspless import clasp, frames, geometry
 from graspless._core import clasp as core  # the file's numbers are not wanted
 
 if TYPE_CHECKING:
@@ -82,15 +82,10 @@ def gauss_linking(problem: clasp.Problem, plan: core.Plan) -> list[float]:
     """Returns |Gauss linking integral| of each open finger curve with the loop (Fig. 6)."""
     robot, hand = problem.robot, problem.hand
     poses = robot.forward(plan.segments[-1].positions[-1])
-    X_WO = problem.X_WO
-    loop = problem.object.loops.found[plan.loop].points @ X_WO[:3, :3].T + X_WO[:3, 3]
+    loop = frames.transform(problem.X_WO, problem.object.loops.found[plan.loop].points)
 
-    def corners(finger: clasp.Finger) -> list[Any]:
-        found = []
-        for node in finger.nodes:
-            X_WL = poses[robot.frame(node.link)]
-            found.append(X_WL[:3, :3] @ node.p_L + X_WL[:3, 3])
-        return found
+    def corners(finger: clasp.Finger) -> list[frames.Matrix]:
+        return [frames.transform(poses[robot.frame(n.link)], n.p_L) for n in finger.nodes]
 
     thumb = corners(hand.thumb)
     curves = [np.array(corners(finger)[::-1] + thumb) for finger in hand.fingers]

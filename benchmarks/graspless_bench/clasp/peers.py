@@ -12,28 +12,22 @@ import numpy as np
 from .. import _peers
 from ..bar import told
 from . import measure
-from .grid import HANDS, POSES, Trial
+from .grid import purses
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from ..machine import Row
+    from .grid import Trial
 
 BODY_HEIGHT = 0.185  # of the purse, and a little [m]: what is higher is its handle
-
-
-def trials(seeds: int, start: int = 1) -> Iterator[Trial]:
-    for seed in range(start, start + seeds):
-        for hand in HANDS:
-            for pose, place in enumerate(POSES["purse"], 1):
-                yield Trial(hand, "purse", place, pose, seed)
 
 
 def rows(
     seeds: int, start: int, seconds: float | None, tell: Callable[[int, str], None]
 ) -> Iterator[Row]:
     """Returns two rows for every trial: one of the Grasp-RRT and one of ours."""
-    for trial in told(trials(seeds, start), tell):
+    for trial in told(purses(seeds, start), tell):
         yield grasp(trial, seconds)
         ours = measure.measure(trial, seconds)
         yield {

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..bar import collected, told
 from . import holes, loops, measure, peers, small
-from .grid import GRIDS
+from .grid import GRIDS, purses
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -43,7 +43,7 @@ def count(grid: str, seeds: int) -> int:
         return len(loops.HOLES) * len(loops.CLOUDS)
     if grid == "holes":
         return holes.count(seeds)
-    make = peers.trials if grid == "grasp_rrt" else GRIDS[grid]
+    make = purses if grid == "grasp_rrt" else GRIDS[grid]
     return sum(1 for _ in make(seeds))
 
 

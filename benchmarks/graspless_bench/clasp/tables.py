@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..tables import markdown, milliseconds
+from ..tables import markdown, milliseconds, or_dash, plain
 from . import holes, small
 
 if TYPE_CHECKING:
@@ -41,18 +41,12 @@ def of(result: Row) -> tuple[list[Row], list[Column]]:
 def fields(result: Row) -> dict[str, str]:
     """Returns the fields of the template's section of this grid."""
     totals = result["totals"]
-    if result["grid"] == "loops":
+    if result["grid"] in BY_KIND:
         named = [{"name": kind, **row} for kind, row in totals.items()]
-        return {"totals": markdown(named, KINDS, "cloud"), "table": markdown(*of(result))}
-    if result["grid"] == "holes":
-        named = [{"name": kind, **row} for kind, row in totals.items()]
-        return {"totals": markdown(named, HOLES[1:], ""), "table": markdown(*of(result))}
+        return {"totals": markdown(named, *BY_KIND[result["grid"]]), "table": markdown(*of(result))}
     if result["grid"] == "small":
         said = {key: str(value) for key, value in totals.items()}
         return {**said, "table": markdown(*of(result), "object")}
-    if result["grid"] == "grasp_rrt":
-        named = [{"name": planner, **row} for planner, row in totals.items()]
-        return {"totals": markdown(named, PLANNERS, "planner")}
     if result["grid"] == "tolerance":
         return {"totals": markdown(_by_tolerance(result["rows"]), BY_TOLERANCE, "threshold")}
     named = [{"name": _words(key), "value": value, "key": key} for key, value in totals.items()]
@@ -89,7 +83,7 @@ def _said(value: object) -> str:
 
 
 def _two(key: str) -> Column:
-    return key.replace("_", " "), lambda r: "–" if r.get(key) is None else f"{r[key]:.2f}"
+    return _words(key), lambda r: or_dash(r.get(key), ".2f")
 
 
 def _yes(value: bool | None) -> str:
@@ -110,8 +104,7 @@ def _mean(key: str) -> Column:
 
 CLASPS: list[Column] = [
     ("found", lambda r: _yes(r["found"])),
-    ("cycles", lambda r: str(r["cycles"])),
-    ("nodes", lambda r: str(r["nodes"])),
+    *plain("cycles", "nodes"),
     ("path nodes", lambda r: str(r.get("path_nodes", "–"))),
     ("ms", lambda r: milliseconds(1000 * r["seconds"])),
     ("of that stability [ms]", lambda r: milliseconds(1000 * r["stability_seconds"])),
@@ -146,32 +139,25 @@ GRASPS: list[Column] = [
     ("seconds", lambda r: f"{r['seconds']:.3g}"),
 ]
 PLANNERS: list[Column] = [
-    ("runs", lambda r: str(r["runs"])),
+    *plain("runs"),
     ("found a grasp", lambda r: str(r["found"])),
     ("on the handle", lambda r: str(r["on_handle"])),
     ("envelops the handle", lambda r: str(r["envelops"])),
 ]
 LOOPS: list[Column] = [
-    ("points", lambda r: str(r["points"])),
-    ("holes", lambda r: str(r["holes"])),
-    ("loops", lambda r: str(r["loops"])),
+    *plain("points", "holes", "loops"),
     ("lengths [m]", lambda r: ", ".join(f"{length:.3f}" for length in r["lengths"])),
     ("ms", lambda r: milliseconds(1000 * r["seconds"])),
     ("load", lambda r: f"{r['load']:g}"),
 ]
 HOLES: list[Column] = [
-    ("holes", lambda r: str(r["holes"])),
-    ("clouds", lambda r: str(r["clouds"])),
-    ("right", lambda r: str(r["right"])),
-    ("uncertain", lambda r: str(r["uncertain"])),
-    ("wrong", lambda r: str(r["wrong"])),
+    *plain("holes", "clouds", "right", "uncertain", "wrong"),
     ("GUDHI right", lambda r: str(r.get("gudhi_right", "–"))),
     ("ms", lambda r: milliseconds(1000 * r["seconds"])),
     ("GUDHI [ms]", lambda r: milliseconds(1000 * s) if (s := r.get("gudhi_seconds")) else "–"),
 ]
 SMALL: list[Column] = [
-    ("queries", lambda r: str(r["queries"])),
-    ("solved", lambda r: str(r["solved"])),
+    *plain("queries", "solved"),
     ("refused with sizes", lambda r: str(r["refused_with_sizes"])),
     ("refused without", lambda r: str(r["refused_without"])),
     ("its hole is", lambda r: r["sizes"] or "–"),
@@ -180,3 +166,8 @@ KINDS: list[Column] = [
     ("objects right", lambda r: f"{r['right']}/{r['objects']}"),
     ("slowest [ms]", lambda r: milliseconds(1000 * r["max_seconds"])),
 ]
+BY_KIND = {  # columns and title of totals that have several rows
+    "loops": (KINDS, "cloud"),
+    "holes": (HOLES[1:], ""),
+    "grasp_rrt": (PLANNERS, "planner"),
+}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine
 from ..pages import write_page
-from ..tables import aligned, markdown, printed, write_json
+from ..tables import aligned, markdown, or_dash, plain, printed, write_json
 from .grid import GRIDS, PAPER_MINUTES, REFERENCE_COSTS
 from .run import complaints
 
@@ -77,21 +77,21 @@ def _named(row: Row) -> Row:
 def _columns(rows: Sequence[Row]) -> list[Column]:
     shown: list[Column] = [
         ("cost", lambda r: _cost(r)),
-        ("regrasps", lambda r: _or_dash(r["regrasps"])),
-        ("least z [N]", lambda r: _or_dash(r["weakest"], ".4g")),
+        ("regrasps", lambda r: or_dash(r["regrasps"])),
+        ("least z [N]", lambda r: or_dash(r["weakest"], ".4g")),
         ("z evaluations", lambda r: f"{r['z_evaluations']}"),
-        ("pivots", lambda r: f"{r['pivots']}"),
+        *plain("pivots"),
         ("nodes", lambda r: f"{r['nodes'] + r.get('placements', 0)}"),
         ("seconds", lambda r: f"{r['seconds']:.3g}"),
         ("peak [MB]", lambda r: f"{r['peak_mb']:.0f}"),
-        ("check [s]", lambda r: _or_dash(r["check_seconds"], ".2g")),
+        ("check [s]", lambda r: or_dash(r["check_seconds"], ".2g")),
         ("faults", lambda r: f"{len(r['faults'])}"),
         ("load", lambda r: f"{r['load']:g}"),
     ]
     if any("scrub" in row for row in rows):
-        shown.insert(3, ("scrub [mm]", lambda r: _or_dash(_millimetres(r["scrub"]), ".2f")))
+        shown.insert(3, ("scrub [mm]", lambda r: or_dash(_millimetres(r["scrub"]), ".2f")))
     if any(row["case"] in PAPER_MINUTES for row in rows):
-        shown.insert(7, ("paper [min]", lambda r: _or_dash(r.get("paper_minutes"))))
+        shown.insert(7, ("paper [min]", lambda r: or_dash(r.get("paper_minutes"))))
     return shown
 
 
@@ -104,10 +104,6 @@ def _cost(row: Row) -> str:
 
 def _millimetres(length: float | None) -> float | None:
     return None if length is None else 1000 * length
-
-
-def _or_dash(value: float | None, form: str = "") -> str:
-    return "–" if value is None else format(value, form)
 
 
 def _grips(rows: Sequence[Row]) -> str:

@@ -99,10 +99,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.films is not None:
         check_writable(options.films)
         options.films.mkdir(parents=True, exist_ok=True)
-    log = None
-    if options.out is not None:
-        options.out.mkdir(parents=True, exist_ok=True)
-        log = options.out / "household.rows"
+    log = None if options.out is None else options.out / "household.rows"
     load = os.getloadavg()
     everything = paths_of(options.folder, None)
     asked = queries(paths, robots, views, options.poses, masses, options.seed, everything)

@@ -12,7 +12,7 @@ import numpy as np
 from .. import machine, memory
 from ..pages import write_page
 from ..statistics import wilson
-from ..tables import aligned, markdown, write_json
+from ..tables import aligned, markdown, plain, write_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -105,9 +105,7 @@ def _quantiles(seconds: list[float]) -> Row:
 
 
 GROUPS: list[Column] = [
-    ("trials", lambda row: str(row["trials"])),
-    ("planned", lambda row: str(row["planned"])),
-    ("held", lambda row: str(row["held"])),
+    *plain("trials", "planned", "held"),
     ("rate [%]", lambda row: "–" if row["rate"] is None else f"{100 * row['rate']:.0f}"),
     ("Wilson 95 % [%]", lambda row: f"{100 * row['band'][0]:.0f} to {100 * row['band'][1]:.0f}"),
     *(

@@ -103,10 +103,7 @@ def _run(options: argparse.Namespace) -> int:
     grid = Grid(options.kind, options.runs or usual, trials, options.seed, experiment)
     grid.check()
     simulation_kind(grid.kind)  # there is one
-    log = None
-    if options.out is not None:
-        options.out.mkdir(parents=True, exist_ok=True)
-        log = options.out / f"physics_{grid.part}.rows"
+    log = None if options.out is None else options.out / f"physics_{grid.part}.rows"
     load = os.getloadavg()
     with Bar(f"bench physics, {grid.part}", grid.runs) as bar:
         found = run(grid, options.jobs, log, bar.tell)

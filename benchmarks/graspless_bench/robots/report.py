@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from .. import machine, memory
 from ..pages import write_page
-from ..tables import aligned, markdown, milliseconds, printed, write_json
+from ..tables import aligned, markdown, milliseconds, or_dash, printed, write_json
 from .fleet import PACKAGES
 
 if TYPE_CHECKING:
@@ -107,15 +107,11 @@ def _gaps(found: Row) -> str:
     return f"{smallest:g} to {largest:g}" if found["fingers"] == 2 else "–"
 
 
-def _seconds(row: Row) -> str:
-    return "–" if row["inspect_s"] is None else f"{row['inspect_s']:.2f}"
-
-
 INSPECTED: list[Column] = [
     ("joints", _of("found", lambda f: f"{f['arm']} + {f['hand']}")),
     ("fingers", _of("found", lambda f: str(f["fingers"]))),
     ("gap [mm]", _of("found", _gaps)),
-    ("inspect [s]", _seconds),
+    ("inspect [s]", lambda row: or_dash(row["inspect_s"], ".2f")),
 ]
 UNSURE: Column = ("unsure", _of("found", lambda f: ", ".join(f["unsure"]) or "nothing"))
 BY_HAND: Column = ("set by hand", lambda row: row["by_hand"])

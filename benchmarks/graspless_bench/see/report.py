@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import machine, memory
 from ..pages import write_page
-from ..tables import aligned, markdown, write_json
+from ..tables import aligned, markdown, plain, write_json
 from . import holes, plans
 
 if TYPE_CHECKING:
@@ -115,9 +115,7 @@ def _number(key: str, unit: float = 1, digits: int = 2) -> Callable[[Row], str]:
 
 
 COLUMNS: list[Column] = [
-    ("noise", lambda row: str(row["noise"])),
-    ("views", lambda row: str(row["views"])),
-    ("scenes", lambda row: str(row["scenes"])),
+    *plain("noise", "views", "scenes"),
     ("tables found [%]", _number("tables", 100, 1)),
     ("tilt off [mrad]", _number("angle", 1000)),
     ("height off [mm]", _number("height", 1000)),
@@ -142,18 +140,12 @@ MESHES: list[Column] = [
 
 
 HOLES: list[Column] = [
-    ("views", lambda row: str(row["views"])),
-    ("holes", lambda row: str(row["holes"])),
-    ("scenes", lambda row: str(row["scenes"])),
-    ("right", lambda row: str(row["right"])),
-    ("uncertain", lambda row: str(row["uncertain"])),
-    ("wrong", lambda row: str(row["wrong"])),
+    *plain("views", "holes", "scenes", "right", "uncertain", "wrong"),
     ("time [ms]", _number("seconds", 1000, 0)),
 ]
 NOISES = [column for column in HOLES if column[0] != "holes"]
 PLANS: list[Column] = [
-    ("views", lambda row: str(row["views"])),
-    ("trials", lambda row: str(row["trials"])),
+    *plain("views", "trials"),
     ("planned and checked", lambda row: str(row["checked"])),
     ("perceive [ms]", _number("perceive", 1000, 1)),
     ("problem [ms]", _number("problem", 1000, 1)),

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graspless import perception
+from graspless import geometry, perception
 
 if TYPE_CHECKING:
-    from graspless import geometry
     from graspless.frames import Matrix
 
 DIRECTIONS = 128
@@ -29,7 +28,7 @@ class Openings:
     """
 
     def __init__(self, mesh: geometry.Mesh) -> None:
-        body = perception.Body([_placed(mesh)], np.eye(4))
+        body = perception.Body([geometry.PlacedShape(mesh)], np.eye(4))
         points = np.asarray(mesh.vertices)
         middle = (points.min(axis=0) + points.max(axis=0)) / 2
         radius = float(np.linalg.norm(points - middle, axis=1).max())
@@ -53,12 +52,6 @@ class Openings:
             if any(ring.contains_points(region).mean() >= ALL for region in regions):
                 return True
         return False
-
-
-def _placed(mesh: geometry.Mesh) -> geometry.PlacedShape:
-    from graspless import geometry
-
-    return geometry.PlacedShape(mesh)
 
 
 def _directions() -> Matrix:

@@ -7,9 +7,10 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING
 
+from .. import pages
 from ..tables import Column, markdown
 from .grid import FOREIGN
-from .tables import PARTS, named
+from .tables import PARTS
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -42,20 +43,11 @@ def circumstances(results: Results, directory: Path) -> dict[str, str]:
     """Returns machine, versions, a table of commands, and the number of failed checks."""
     del directory
     ordered = [result for _, result in sorted(results.items())]
-    rows = [named(result, f"`{result['machine']['command']}`") for result in ordered]
-    shown: list[Column] = [
-        ("when", lambda r: r["machine"]["date"]),
-        ("load before", lambda r: f"{r['machine']['load_before'][0]:g}"),
-        ("load after", lambda r: f"{r['machine']['load_after'][0]:g}"),
+    memory: list[Column] = [
         ("query [MB]", lambda r: f"{r['peak_mb']:.0f}"),
         ("process [MB]", lambda r: f"{r['process_peak_mb']:.0f}"),
     ]
     faults = [fault["method"] for result in ordered for fault in result["failed_checks"]]
     ours = sum(method not in FOREIGN for method in faults)
-    some = ordered[0]
-    return {
-        "machine": f"{some['machine']['cpu']}, {some['machine']['cores']} cores",
-        "table": markdown(rows, shown, "command"),
-        "versions": ", ".join(f"{name} {version}" for name, version in some["versions"].items()),
-        "failed": f"{ours} of ours, {len(faults) - ours} of other planners",
-    }
+    failed = f"{ours} of ours, {len(faults) - ours} of other planners"
+    return pages.circumstances(ordered, memory) | {"failed": failed}
