@@ -81,7 +81,7 @@ def finish(
     options : argparse.Namespace
         With `out` and `json`.
     result : dict
-        With `complete` if it can be partial; then it is not written.
+        If its field `complete` is False, it is partial, and not written.
     report : module
         With `write` and `as_text`.
     complaints : list, optional
