@@ -12,7 +12,7 @@ from .. import carry
 from ..tasks.carry.model import CarryTask
 from ..tasks.options import described_by
 from ..tasks.shapes import IndexOrNone
-from .table import Counters, PlanFields, PoseRow, Table, require_rows
+from .table import Counters, MotionRows, PlanFields
 
 if TYPE_CHECKING:
     Status = str
@@ -20,16 +20,12 @@ else:
     Status = Literal[tuple(carry.Status.__members__)]
 
 
-class Segment(Table):
+class Segment(MotionRows):
     """Part of a motion."""
 
     MAKE: ClassVar = carry.Segment
 
     name: str = Field(description="carry; with places transfer, lower, open or retreat")
-    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
-    object_poses: list[PoseRow] = Field(
-        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
-    )
 
 
 @described_by(carry.Statistics)
@@ -58,8 +54,7 @@ class CarryPlanFile(PlanFields):
     @model_validator(mode="after")
     def _check(self) -> CarryPlanFile:
         for segment in self.segments:
-            where = f"segment '{segment.name}'"
-            require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
+            segment.check(len(self.joint_names))
         return self
 
 

@@ -12,7 +12,7 @@ from .. import clasp, geometry
 from ..tasks.clasp.model import ClaspTask
 from ..tasks.options import described_by
 from ..tasks.shapes import Index, NotNegative, Point3
-from .table import Counters, PlanFields, PoseRow, Table, require_rows
+from .table import Counters, MotionRows, PlanFields, PoseRow, Table
 
 if TYPE_CHECKING:
     Status = str
@@ -20,13 +20,12 @@ else:
     Status = Literal[tuple(clasp.Status.__members__)]
 
 
-class Segment(Table):
+class Segment(MotionRows):
     """Part of a motion."""
 
     MAKE: ClassVar = clasp.Segment
 
     name: str = Field(description="reach or close")
-    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
     object_poses: list[PoseRow] = Field(
         description="(N, 7) pose of the object, x y z qw qx qy qz in the world, equal in all rows"
     )
@@ -170,11 +169,10 @@ class ClaspPlanFile(PlanFields):
             counts = f"{curves.pop()} curves, and there are {len(self.fingers)} fingers"
             raise ValueError(f"virtual_linking has {counts}")
         for segment in self.segments:
-            where = f"segment '{segment.name}'"
-            require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
+            segment.check(len(self.joint_names))
             if len(segment.virtual_linking) != len(segment.positions):
                 counts = f"{len(segment.virtual_linking)} virtual_linking"
-                raise ValueError(f"{where} has {counts}: one per row is needed")
+                raise ValueError(f"segment '{segment.name}' has {counts}: one per row is needed")
         found = (self.loop, self.target, self.stability)
         if self.status == "solved" and None in found:
             raise ValueError("a solved plan must have loop, target and stability")

@@ -12,7 +12,7 @@ from .. import pinch
 from ..tasks.options import described_by
 from ..tasks.pinch.model import PinchTask
 from ..tasks.shapes import Point3
-from .table import Counters, PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+from .table import Counters, MotionRows, PlanFields, PoseRow, require_unit_quaternions
 
 if TYPE_CHECKING:
     Status = str
@@ -20,16 +20,12 @@ else:
     Status = Literal[tuple(pinch.Status.__members__)]
 
 
-class Segment(Table):
+class Segment(MotionRows):
     """Part of a motion."""
 
     MAKE: ClassVar = pinch.Segment
 
     name: str = Field(description="approach, grasp or close")
-    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
-    object_poses: list[PoseRow] = Field(
-        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
-    )
 
 
 @described_by(pinch.Statistics)
@@ -62,8 +58,7 @@ class PinchPlanFile(PlanFields):
     @model_validator(mode="after")
     def _check(self) -> PinchPlanFile:
         for segment in self.segments:
-            where = f"segment '{segment.name}'"
-            require_rows(where, segment.positions, segment.object_poses, len(self.joint_names))
+            segment.check(len(self.joint_names))
         require_unit_quaternions([self.X_WH_grasp])
         return self
 

@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 from .. import slide
 from ..tasks.options import described_by
 from ..tasks.slide.model import SlideTask
-from .table import Counters, PlanFields, PoseRow, Table, require_rows, require_unit_quaternions
+from .table import Counters, MotionRows, PlanFields, PoseRow, Table, require_unit_quaternions
 
 if TYPE_CHECKING:
     Status = str
@@ -19,16 +19,12 @@ else:
     Status = Literal[tuple(slide.Status.__members__)]
 
 
-class Segment(Table):
+class Segment(MotionRows):
     """Part of a motion."""
 
     MAKE: ClassVar = slide.Segment
 
     name: str = Field(description="approach, press, slide, lift, reach, grasp, close or retreat")
-    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
-    object_poses: list[PoseRow] = Field(
-        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
-    )
 
 
 class Interruption(Table):
@@ -103,8 +99,7 @@ class SlidePlanFile(PlanFields):
     def _check(self) -> SlidePlanFile:
         dof = len(self.joint_names)
         for segment in self.segments:
-            where = f"segment '{segment.name}'"
-            require_rows(where, segment.positions, segment.object_poses, dof)
+            segment.check(dof)
         require_unit_quaternions([self.X_WO_goal, self.X_WH_grasp])
         if self.resumed is not None:
             if len(self.resumed.q) != dof:

@@ -52,6 +52,20 @@ class Table(Fields):
     """Attributes that are not called as the field is."""
 
 
+class MotionRows(Table):
+    """Part of a motion."""
+
+    name: str
+    positions: list[list[float]] = Field(description="(N, dof) joint positions, rad or m")
+    object_poses: list[PoseRow] = Field(
+        description="(N, 7) poses of the object, x y z qw qx qy qz in the world"
+    )
+
+    def check(self, dof: int) -> None:
+        """Raises unless there is one value a joint in each row, and one pose a row."""
+        require_rows(f"segment '{self.name}'", self.positions, self.object_poses, dof)
+
+
 class Counters(Fields):
     """Counters of the search. Former ones, in older plan files, are ignored."""
 
