@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import frames
-from ..bodies import OBJECT, Body, Color, Part
+from ... import frames, geometry
+from ..bodies import OBJECT, Body, Color, Part, placed_part
 
 if TYPE_CHECKING:
     from ...frames import Matrix
@@ -50,7 +50,8 @@ def floor_body(task: Task, points: Matrix) -> Body:
         ring = _clipped(ring, np.asarray(wall.n_W), float(wall.offset), height)
     if len(ring) < 3:
         return Body("floor")
-    return Body("floor", [_slab(ring, height - thick, height, FLOOR)], is_flat=True)
+    ends = [np.insert(ring, 2, z, axis=1) for z in (height - thick, height)]
+    return Body("floor", [_hull(np.concatenate(ends), FLOOR)], is_flat=True)
 
 
 def wall_bodies(task: Task, points: Matrix) -> list[Body]:
@@ -136,18 +137,9 @@ def _clipped(ring: Matrix, normal: Matrix, offset: float, height: float) -> Matr
     return np.array(kept).reshape(-1, 2)
 
 
-def _slab(ring: Matrix, bottom: float, top: float, color: Color) -> Part:
-    """Returns the prism over a convex polygon between two heights."""
-    n = len(ring)
-    up = np.column_stack([ring, np.full(n, top)])
-    down = np.column_stack([ring, np.full(n, bottom)])
-    fan = np.array([[0, i, i + 1] for i in range(1, n - 1)])
-    vertices, triangles = [up, down], [fan, fan[:, ::-1] + n]
-    for i in range(n):
-        j, first = (i + 1) % n, 2 * n + 4 * i
-        vertices.append(np.array([down[i], down[j], up[j], up[i]]))
-        triangles.append(np.array([[first, first + 1, first + 2], [first, first + 2, first + 3]]))
-    return Part(np.concatenate(vertices), np.concatenate(triangles), color)
+def _hull(vertices: Matrix, color: Color) -> Part:
+    """Returns the convex hull of points in the world."""
+    return placed_part(geometry.PlacedShape(geometry.Convex(vertices), np.eye(4)), color)
 
 
 def _plate(
@@ -166,13 +158,7 @@ def _plate(
     a, b = foot + across * reach.min(), foot + across * reach.max()
     quad = np.array([a, b, b + span, a + span])
     thick = 0.012 * float(np.linalg.norm(high - low)) * normal
-    vertices = np.concatenate([quad - thick, quad])
-    faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-    if np.cross(b - a, span) @ normal < 0:
-        faces = [(p, s, r, q) for p, q, r, s in faces]
-    corners_of = vertices[np.array(faces)].reshape(-1, 3)
-    triangles = [[4 * i, 4 * i + j, 4 * i + j + 1] for i in range(6) for j in (1, 2)]
-    return Part(corners_of, np.array(triangles), WALL)
+    return _hull(np.concatenate([quad - thick, quad]), WALL)
 
 
 def _arrow(length: float, width: float) -> Part:
