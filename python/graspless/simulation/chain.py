@@ -30,7 +30,7 @@ from .results import Trial
 from .settings import SLIDE_SPREAD, Slide
 from .slide import FAILURES as SLIDE_FAILURES
 from .slide import MEASURES as SLIDE_MEASURES
-from .slide import running
+from .slide import finished, running
 from .slide.execution import Execution
 from .slide.program import (
     HOLD,
@@ -112,18 +112,10 @@ def _executed(
     if stages[0].kind == "clasp":
         return carried.run(stages, variation, record=record)
     start = time.perf_counter()
-    execution = _execution(stages, variation, settings or Slide(), truth)
-    if record:
-        execution.record()
-    execution.run()
-    return Trial(
-        variation,
-        tuple(execution.judge.failures),
-        pinch.measured(execution.measures) if stages[0].kind == "pinch" else execution.measures,
-        time.perf_counter() - start,
-        _with_plan(execution.recording(), stages) if record else None,
-        execution.judge.touched,
-    )
+    done = finished(_execution(stages, variation, settings or Slide(), truth), record, start)
+    measures = pinch.measured(done.measures) if stages[0].kind == "pinch" else done.measures
+    film = done.recording and _with_plan(done.recording, stages)
+    return dataclasses.replace(done, measures=measures, recording=film)
 
 
 def _execution(

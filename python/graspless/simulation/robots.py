@@ -51,6 +51,12 @@ def unused(spec: Any, name: str) -> str:
     return name
 
 
+def placed_body(spec: Any, name: str, X_WB: Matrix) -> Any:
+    """Adds a body at a pose in the world; raises TaskError if a link has its name."""
+    place = {"pos": X_WB[:3, 3], "quat": frames.to_quaternion(X_WB)}
+    return spec.worldbody.add_body(name=unused(spec, name), **place)
+
+
 def robot_spec(
     robot: Robot,
     fields: RobotFields,

@@ -13,19 +13,19 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import replace
-from time import perf_counter
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...tasks.clasp.hand import hand_of
 from ...timing import time as timed
-from ..results import Running, Trial, drained
+from ..results import Running, Trial
 from ..robots import set_positions
 from ..settings import Clasp
 from ..variation import Variation
 from .closing import left_open
-from .execution import Execution, Recorder, execution_of
+from .execution import Execution, Recorder, executed, execution_of
 from .model import make_world
 
 if TYPE_CHECKING:
@@ -84,11 +84,7 @@ def run(
     `settings` instead of those for the load of the task; `solids`, in O, instead of the cloud's
     skin.
     """
-    started = perf_counter()
-    recorder = Recorder() if record else None
-    trial = drained(_prepare(plan, variation, settings, solids, recorder).steps)
-    recording = None if recorder is None else recorder.recording()
-    return replace(trial, seconds=perf_counter() - started, recording=recording)
+    return executed(partial(_prepare, plan, variation, settings, solids), record)
 
 
 def start(plan: Plan, variation: Variation) -> Running:
@@ -218,7 +214,7 @@ def has_closed(
     execution: Execution,
     plan: Plan,
     measures: Mapping[str, float],
-    solids: Sequence[geometry.PlacedShape] | None,
+    solids: Sequence[geometry.PlacedShape] | None = None,
 ) -> list[str]:
     """Returns the failures of the motion until the hand has gripped."""
     settings = execution.world.settings

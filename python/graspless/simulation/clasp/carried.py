@@ -9,8 +9,7 @@ withdraws, and the object must stand where it was put.
 
 from __future__ import annotations
 
-import dataclasses
-from time import perf_counter
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -18,19 +17,18 @@ import numpy as np
 
 from ... import frames, timing
 from ...tasks.chain.start import off_place
-from ..results import Running, Trial, drained
+from ..results import Running, Trial
 from ..settings import Clasp, Slide
 from . import FAILURES as CLASP_FAILURES
 from . import MEASURES as CLASP_MEASURES
 from . import close, has_closed
-from .execution import LOOK, Execution, Recorder, execution_of
+from .execution import LOOK, Execution, Recorder, executed, execution_of
 from .model import make_world
 from .object import OBJECT, STAND
 
 if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
 
-    from ... import geometry
     from ...frames import Matrix
     from ..variation import Variation
     from .model import World
@@ -54,40 +52,20 @@ MEASURES = {
 _OFF_THE_FLOOR = 0.02  # planned rise of an object that must leave the floor [m]
 
 
-def run(
-    stages: Sequence[Any],
-    variation: Variation,
-    *,
-    record: bool = False,
-    settings: Clasp | None = None,
-    solids: Sequence[geometry.PlacedShape] | None = None,
-) -> Trial:
-    """Executes the stages of a solved chain: a clasp, and carries.
-
-    `solids`, in O, are touched instead of the cloud's skin.
-    """
-    started = perf_counter()
-    recorder = Recorder() if record else None
-    trial = drained(start(stages, variation, settings, solids, recorder).steps)
-    recording = None if recorder is None else recorder.recording()
-    return dataclasses.replace(trial, seconds=perf_counter() - started, recording=recording)
+def run(stages: Sequence[Any], variation: Variation, *, record: bool) -> Trial:
+    """Executes the stages of a solved chain: a clasp, and carries."""
+    return executed(partial(start, stages, variation), record)
 
 
-def start(
-    stages: Sequence[Any],
-    variation: Variation,
-    settings: Clasp | None = None,
-    solids: Sequence[geometry.PlacedShape] | None = None,
-    recorder: Recorder | None = None,
-) -> Running:
+def start(stages: Sequence[Any], variation: Variation, recorder: Recorder | None = None) -> Running:
     """Returns the execution, to be run step by step."""
     grasp, *carries = stages
-    world = make_world(grasp.task, variation, settings or Clasp(), solids)
+    world = make_world(grasp.task, variation, Clasp())
     execution = execution_of(grasp, world, recorder)
 
     def steps() -> Generator[str, None, Trial]:
         measures = yield from close(execution, timing.time(grasp))
-        failures = has_closed(execution, grasp, measures, solids)
+        failures = has_closed(execution, grasp, measures)
         if execution.judge.linked():
             carried = _Carried(execution, grasp, carries)
             yield from carried.steps()

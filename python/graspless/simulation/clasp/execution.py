@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -13,17 +14,18 @@ import numpy as np
 
 from ... import limits
 from ...tasks.clasp.hand import hand_of
-from ..results import Recording, Trial
+from ..results import Recording, Trial, drained
 from ..robots import lags
 from .judge import Judge
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Iterator, Sequence
+    from collections.abc import Callable, Generator, Iterator, Sequence
 
     from ... import clasp
     from ...clasp import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
+    from ..results import Running
     from ..variation import Variation
     from .model import World
 
@@ -43,6 +45,15 @@ class Recorder:
     def recording(self) -> Recording:
         """Returns the recording of all rows."""
         return Recording.of_arm(self.rows)
+
+
+def executed(prepare: Callable[[Recorder | None], Running], record: bool) -> Trial:
+    """Runs what `prepare` makes of a recorder, if asked to `record`; returns the trial."""
+    started = perf_counter()
+    recorder = Recorder() if record else None
+    trial = drained(prepare(recorder).steps)
+    recording = None if recorder is None else recorder.recording()
+    return replace(trial, seconds=perf_counter() - started, recording=recording)
 
 
 class Execution:

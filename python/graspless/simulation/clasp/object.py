@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from ... import frames
-from ..robots import unused
+from ..robots import placed_body, unused
 from ..shapes import add_placed, add_skin, give_inertia
 from . import surface
 
@@ -40,9 +40,7 @@ def add_object(
     `mass` is the mass before variation [kg].
     """
     points = np.asarray(cloud.points)
-    body = spec.worldbody.add_body(
-        name=unused(spec, OBJECT), pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO)
-    )
+    body = placed_body(spec, OBJECT, X_WO)
     body.add_freejoint(name=OBJECT)
     mass *= variation.mass
     give_inertia(body, mass, points.mean(axis=0), mass * surface.inertia(points))
@@ -59,7 +57,7 @@ def add_object(
         add_skin(spec, OBJECT, OBJECT, points, surface.skin(cloud), settings.skin, **touch)
     for placed in solids or ():
         add_placed(spec, body, placed, **touch)
-    standing = surface.feet(points @ X_WO[:3, :3].T + X_WO[:3, 3], settings.foot_depth)
+    standing = surface.feet(frames.transform(X_WO, points), settings.foot_depth)
     _add_hold(spec, is_active=standing is None)
     sliding = variation.support_friction * settings.stand_friction
     friction = [sliding, sliding, spin, roll, roll]

@@ -8,7 +8,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from ...errors import TaskError
-from ..results import Running, Trial
+from ..results import Running
 from ..settings import SLIDE_SPREAD, Slide
 from .conditions import CONDITIONS, draw
 from .execution import Execution
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator, Sequence
 
     from ...slide import Plan
+    from ..results import Trial
     from ..variation import Variation
     from .truth import Truth
 
@@ -67,7 +68,7 @@ def execute(
 ) -> Trial:
     """Executes a solved plan of a slide or of a pinch, and lifts the object."""
     start = time.perf_counter()
-    return _trial(Execution(plan, variation, settings or Slide()), record, start)
+    return finished(Execution(plan, variation, settings or Slide()), record, start)
 
 
 def start(plan: Any, variation: Variation) -> Running:
@@ -81,14 +82,7 @@ def running(execution: Execution) -> Running:
 
     def steps() -> Generator[str, None, Trial]:
         yield from execution.steps()
-        judge = execution.judge
-        return Trial(
-            execution.variation,
-            tuple(judge.failures),
-            execution.measures,
-            0.0,
-            touched=judge.touched,
-        )
+        return execution.trial()
 
     return Running(execution.scene.model, execution.data, execution.object_pose, steps())
 
@@ -110,23 +104,16 @@ def follow(
 
     _require_rest(plan)
     start = time.perf_counter()
-    return _trial(
-        FollowedExecution(plan, variation, settings or Slide(), seed, truth), record, start
-    )
+    execution = FollowedExecution(plan, variation, settings or Slide(), seed, truth)
+    return finished(execution, record, start)
 
 
-def _trial(execution: Execution, record: bool, start: float) -> Trial:
+def finished(execution: Execution, record: bool, start: float) -> Trial:
+    """Runs an execution that was begun at `start` to its end; returns the trial."""
     if record:
         execution.record()
     execution.run()
-    return Trial(
-        execution.variation,
-        tuple(execution.judge.failures),
-        execution.measures,
-        time.perf_counter() - start,
-        execution.recording() if record else None,
-        execution.judge.touched,
-    )
+    return execution.trial(time.perf_counter() - start)
 
 
 __all__ = [
@@ -138,6 +125,7 @@ __all__ = [
     "SPREAD",
     "draw",
     "execute",
+    "finished",
     "follow",
     "run",
     "running",

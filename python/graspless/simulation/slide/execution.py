@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from ... import frames, limits, timing
-from ..results import Recording
+from ..results import Recording, Trial
 from ..robots import joint_addresses, lags, set_positions
 from .fingers import PAD, SLIDING, WRIST, wrist_stiffness
 from .judge import Judge
@@ -88,9 +88,11 @@ class Execution:
         """Starts the recording."""
         self._rows = []
 
-    def recording(self) -> Recording:
-        """Returns the recording."""
-        return Recording.of_arm(self._rows or [])
+    def trial(self, seconds: float = 0.0) -> Trial:
+        """Returns the trial, of so many seconds of computation, with its recording if any."""
+        film = None if self._rows is None else Recording.of_arm(self._rows)
+        failures, touched = tuple(self.judge.failures), self.judge.touched
+        return Trial(self.variation, failures, self.measures, seconds, film, touched)
 
     def positions(self) -> Matrix:
         """Returns the actual joint positions [dof]."""

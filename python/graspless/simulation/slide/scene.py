@@ -19,7 +19,7 @@ import numpy as np
 from ... import frames, geometry
 from ..obstacles import OBSTACLE, numbered
 from ..parts import slice_links
-from ..robots import apply, compiled, robot_spec, unused
+from ..robots import apply, compiled, placed_body, robot_spec
 from ..settings import Slide, Solver
 from ..shapes import add_hull, add_placed, give_inertia
 from .fingers import OTHER, PAD, SLIDING, Bits, add_fingers, whole_fingers
@@ -119,10 +119,7 @@ def varied_hand(problem: Any, variation: Variation) -> slide.Hand:
 
 def _add_table(spec: Any, plan: Plan, height: float, settings: Slide, later: Plan | None) -> None:
     support = plan.task.problem.support
-    X_WS = support.X_WS @ frames.translation([0.0, 0.0, height])
-    body = spec.worldbody.add_body(
-        name=unused(spec, TABLE), pos=X_WS[:3, 3], quat=frames.to_quaternion(X_WS)
-    )
+    body = placed_body(spec, TABLE, support.X_WS @ frames.translation([0.0, 0.0, height]))
     for i, part in enumerate(support.polygon.convex_parts()):
         _mark(add_prism(spec, body, part, (-support.slab, 0.0), name=f"{TABLE}{i}"), TABLE)
     for i, p in enumerate(_edge_points(plan, settings, later)):
@@ -137,17 +134,14 @@ def _edge_points(plan: Plan, settings: Slide, later: Plan | None) -> Matrix:
     X_SW = np.linalg.inv(problem.support.X_WS)
     segments = [*plan.segments, *([] if later is None else later.segments)]
     poses = np.concatenate([segment.object_poses for segment in segments])
-    centers = np.unique((poses[:, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2].round(3), axis=0)
+    centers = np.unique(frames.transform(X_SW, poses[:, :3, 3])[:, :2].round(3), axis=0)
     nearest = np.linalg.norm(points[:, None] - centers[None], axis=2).min(axis=1)
     near: Matrix = points[nearest < reach]
     return near
 
 
 def _add_obstacle(spec: Any, obstacle: Any, name: str, what: str) -> None:
-    X_WB = np.array(obstacle.X_WB)
-    body = spec.worldbody.add_body(
-        name=unused(spec, name), pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB)
-    )
+    body = placed_body(spec, name, obstacle.X_WB)
     for i, placed in enumerate(obstacle.shapes):
         _mark(add_placed(spec, body, placed, name=f"{name} {i}"), what)
 
@@ -156,9 +150,7 @@ def _add_object(spec: Any, thing: Any, X_WO: Matrix, variation: Variation, setti
     mass = float(thing.mass) * variation.mass
     thickness = float(thing.thickness) * variation.thickness
     com = thing.com * [1, 1, variation.thickness] + [variation.com_x, variation.com_y, 0]
-    body = spec.worldbody.add_body(
-        name=unused(spec, OBJECT), pos=X_WO[:3, 3], quat=frames.to_quaternion(X_WO)
-    )
+    body = placed_body(spec, OBJECT, X_WO)
     give_inertia(body, mass, com, plate_inertia(thing.outline, thickness, mass))
     body.add_freejoint(name=OBJECT)
     if thing.heights is None:
@@ -194,9 +186,7 @@ def _add_truth(spec: Any, truth: Truth, X_WO: Matrix, variation: Variation) -> N
 
 
 def _add_body(spec: Any, given: Body, X_WB: Matrix, name: str, what: str) -> None:
-    body = spec.worldbody.add_body(
-        name=unused(spec, name), pos=X_WB[:3, 3], quat=frames.to_quaternion(X_WB)
-    )
+    body = placed_body(spec, name, X_WB)
     give_inertia(body, given.mass, given.com, given.inertia)
     body.add_freejoint(name=name)
     for i, points in enumerate(given.parts):
