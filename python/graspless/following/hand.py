@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..frames import Matrix
     from ..slide import Problem
 
-
+_LIFT_STEPS = 16
 _STEPS = 3  # of least squares
 _DAMPING = 1e-2  # of singular values squared [m^2 or 1]; with less, joints jump near a singularity
 
@@ -74,11 +74,11 @@ class Hand:
             found[self.arm] += J.T @ np.linalg.solve(weighted, error)
         return np.asarray(self.robot.clamp(found))
 
-    def lifted(self, q: Matrix, height: float, steps: int = 16) -> Matrix:
+    def lifted(self, q: Matrix, height: float) -> Matrix:
         """Returns a path [N, dof] that lifts the hand straight up, as high as the arm can."""
         path = [q]
-        for _ in range(steps):
-            path.append(self.shifted(path[-1], np.zeros(3), height / steps))
+        for _ in range(_LIFT_STEPS):
+            path.append(self.shifted(path[-1], np.zeros(3), height / _LIFT_STEPS))
         return np.array(path)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import frames
 from ..kinds import stages_of
 
 if TYPE_CHECKING:
@@ -28,8 +29,7 @@ def contacts(trajectory: Trajectory) -> Matrix:
         fingers = [segment.fingers for segment in trajectory.segments]
         for k, i in enumerate(trajectory.segment_index):
             p_O = fingers[i][_row(trajectory, k)]
-            X_WO = trajectory.object_poses[k]
-            points[k] = p_O @ X_WO[:3, :3].T + X_WO[:3, 3]
+            points[k] = frames.transform(trajectory.object_poses[k], p_O)
     return points
 
 

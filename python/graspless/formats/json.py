@@ -40,6 +40,6 @@ def document(trajectory: Trajectory) -> TrajectoryFile:
         positions=plain(trajectory.positions),
         velocities=plain(trajectory.velocities),
         accelerations=plain(trajectory.accelerations),
-        object_poses=[plain(frames.to_row(X_WO)) for X_WO in trajectory.object_poses],
+        object_poses=plain(frames.to_rows(trajectory.object_poses)),
         fingers=points,
     )

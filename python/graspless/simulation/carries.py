@@ -11,7 +11,6 @@ import numpy as np
 
 from .. import timing
 from ..errors import TaskError
-from .settings import Slide
 from .slide.program import HOLD, RAISE, SQUEEZE, Program, motions, rest, stretch
 
 if TYPE_CHECKING:
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
 
     from .._plan import Plan as AnyPlan
     from ..frames import Matrix
+    from .settings import Slide
 
 OPEN, RETREAT = "open", "retreat"
 
@@ -49,11 +49,7 @@ def require_simulated(task: Any) -> None:
 
 
 def with_carries(
-    program: Program,
-    carries: Sequence[AnyPlan],
-    timestep: float,
-    later: Any = None,
-    settings: Slide | None = None,
+    program: Program, carries: Sequence[AnyPlan], timestep: float, later: Any, settings: Slide
 ) -> Program:
     """Returns the program of a slide with its lift replaced by the motions of carries.
 
@@ -64,12 +60,11 @@ def with_carries(
         Plans of kind carry.
     timestep : float
         Time step [s].
-    later : slide.Plan, optional
+    later : slide.Plan or None
         Slide of the object from where it was put down.
-    settings : Slide, optional
+    settings : Slide
         Pauses of that slide.
     """
-    settings = settings or Slide()
     begin, hold = program.last(SQUEEZE) + 1, program.names.index(HOLD)
     names, moved = _motions(carries, timestep)
     carried = [values for name, values in zip(names, moved, strict=True) if name == RAISE]

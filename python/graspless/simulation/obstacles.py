@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import geometry
+from .. import frames, geometry
 from .shapes import add_placed, add_skin
 
 OBSTACLE = "obstacle"
@@ -35,7 +35,7 @@ def add_obstacle(spec: Any, obstacle: Any, skin: float, **touch: Any) -> None:
         name = numbered(obstacle, i)
         X_WG = np.asarray(obstacle.X_WB) @ np.asarray(placed.X_BG)
         if isinstance(placed.shape, geometry.Mesh):
-            p_W = np.asarray(placed.shape.vertices) @ X_WG[:3, :3].T + X_WG[:3, 3]
+            p_W = frames.transform(X_WG, placed.shape.vertices)
             add_skin(
                 spec, numbered(obstacle, i), "world", p_W, placed.shape.triangles, skin, **touch
             )

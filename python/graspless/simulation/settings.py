@@ -29,9 +29,8 @@ class Solver:
 class Servo:
     """Position control of the joints of arms and hands."""
 
-    sag: float = (
-        0.01  # deflection at the joint's largest effort, as of an industrial arm [rad; m/10]
-    )
+    # Deflection at the joint's largest effort, as of an industrial arm [rad; m/10].
+    sag: float = 0.01
     bandwidth: float = 100.0  # sqrt(stiffness / inertia), which sets the rotor's inertia [rad/s]
     damping_ratio: float = 1.0
     effort: float = 50.0  # largest effort of a joint whose URDF has none [Nm or N]
@@ -90,9 +89,8 @@ class Fingertip:
     speed: float = 0.005  # of a sliding object [m/s]; MuJoCo lifts faster ones off the floor
     arm_speed: float = 0.01  # of an object that an arm slides [m/s]
     approach: float = 0.002  # distance from which a finger comes to the surface [m]
-    load_seconds: float = (
-        0.3  # for touching, and for a change from one set of forces to another [s]
-    )
+    # For touching, and for a change from one set of forces to another [s].
+    load_seconds: float = 0.3
     rest_seconds: float = 0.2  # at the end [s]
     tolerance: float = 0.001  # of a corner's position in the nominal trial [m]
     varied_tolerance: float = 0.0015  # of a corner's position in varied trials [m]
@@ -159,11 +157,10 @@ class Clasp:
     hold: float = 0.1  # time after which a new wrench is drawn [s]
     seconds: float = 3.0  # of a sequence [s]
     sequences: int = 10  # as in the paper's own test
-    drag_speed: float = (
-        0.5  # at which drag balances a random force; a mass of 1 kg reaches it within
-    )
-    # one hold [m/s]: a choice, as the next. Drag acts at the object's origin: a centre of mass 9 cm
-    # away can swing at 0.65 m/s, and one 20 cm away at 1 m/s
+    # At which drag balances a random force; a mass of 1 kg reaches it within one hold [m/s]: a
+    # choice, as the next. Drag acts at the object's origin: a centre of mass 9 cm away can swing at
+    # 0.65 m/s, and one 20 cm away at 1 m/s.
+    drag_speed: float = 0.5
     drag_turning: float = 3.0  # at which drag balances a random torque [rad/s]
     pull_rate: float = 40.0  # largest growth of the straight pull [N/s]: quasi-static against 100
     # rad/s. Light objects are pulled more slowly, see Execution.pull

@@ -30,7 +30,7 @@ def add_placed(spec: Any, body: Any, placed: geometry.PlacedShape, **given: Any)
     if isinstance(shape, geometry.Capsule):
         size = [shape.radius, shape.length / 2, 0]
         return body.add_geom(type=mujoco.mjtGeom.mjGEOM_CAPSULE, size=size, **pose, **given)
-    points = np.array(shape.vertices) @ X_BG[:3, :3].T + X_BG[:3, 3]
+    points = frames.transform(X_BG, shape.vertices)
     return add_hull(spec, body, points, given)
 
 

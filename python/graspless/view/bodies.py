@@ -209,7 +209,7 @@ def _part(mesh: Any, X_BG: Matrix, color: Color) -> Part:
     vertices, triangles = _split_edges(
         np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces, dtype=np.int64)
     )
-    return Part(vertices @ X_BG[:3, :3].T + X_BG[:3, 3], triangles, color)
+    return Part(frames.transform(X_BG, vertices), triangles, color)
 
 
 def _split_edges(p: Matrix, f: NDArray[np.int64]) -> tuple[Matrix, NDArray[np.int64]]:

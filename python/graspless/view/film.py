@@ -91,8 +91,7 @@ class Film:
         )
 
         def mixed(poses: Matrix) -> Matrix:
-            rows = zip(before, after, blend, strict=True)
-            return np.array([frames.between(poses[i], poses[j], t) for i, j, t in rows])
+            return frames.mixed(frames.places(poses), before, after, blend)
 
         return replace(
             self,

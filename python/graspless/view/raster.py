@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import frames
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -143,7 +145,7 @@ def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:
     count = 0
     for index, (body, X_WB) in enumerate(placed):
         for part in body.parts:
-            points.append(part.vertices @ X_WB[:3, :3].T + X_WB[:3, 3])
+            points.append(frames.transform(X_WB, part.vertices))
             faces.append(part.triangles + count)
             colors.append(np.tile(part.color, (len(part.triangles), 1)))
             owners.append(np.full(len(part.triangles), index))

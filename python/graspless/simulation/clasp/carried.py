@@ -143,7 +143,7 @@ class _Carried:
         return int(self.world.model.body(STAND).mocapid[0])
 
     def _measure_sway(self, X_WO: Matrix) -> None:
-        planned = self.world.points_O @ X_WO[:3, :3].T + X_WO[:3, 3]
+        planned = frames.transform(X_WO, self.world.points_O)
         sway = float(np.linalg.norm(self.execution.surface() - planned, axis=1).max())
         self.measures["swayed"] = max(self.measures["swayed"], sway)
 

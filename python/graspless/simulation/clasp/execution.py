@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import mujoco
 import numpy as np
 
-from ... import limits
+from ... import frames, limits
 from ...tasks.clasp.hand import hand_of
 from ..results import Recording, Trial, drained
 from ..robots import lags
@@ -129,9 +129,7 @@ class Execution:
 
     def surface(self) -> Matrix:
         """Points of the object in W [m]."""
-        X_WO = self.world.object_pose
-        points: Matrix = self.world.points_O @ X_WO[:3, :3].T + X_WO[:3, 3]
-        return points
+        return frames.transform(self.world.object_pose, self.world.points_O)
 
     def moved(self, resting: Matrix) -> float:
         """Returns the largest distance of a point of the object from its earlier position [m]."""

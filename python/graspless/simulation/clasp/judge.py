@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ... import geometry
+from ... import frames, geometry
 
 if TYPE_CHECKING:
     from typing import Any
@@ -41,9 +41,7 @@ class Judge:
 
     def loop(self) -> Matrix:
         """Returns the loop [K, 3] in W [m]."""
-        X_WO = self._world.object_pose
-        points: Matrix = self._loop_O @ X_WO[:3, :3].T + X_WO[:3, 3]
-        return points
+        return frames.transform(self._world.object_pose, self._loop_O)
 
     def linked(self) -> int:
         """Number of finger curves, closed from tip to tip, that are linked with the loop.

@@ -118,7 +118,7 @@ def measure(world: World, script: Script, log: Log) -> dict[str, float]:
     stage = script.stage[log.moments]
     moves = np.isin([script.names[k] for k in stage], ["slide", "turn", "tumble"])
     touches = np.array(log.pressed) > 0
-    slips = finger_slips(world, script, log)
+    slips = finger_slips(script, log)
     floor_lost = np.array(log.floor)[moves & (script.slides[log.moments] > 0)] <= 0
     return {
         "vertex_error": float(np.max(log.errors)),
@@ -130,16 +130,16 @@ def measure(world: World, script: Script, log: Log) -> dict[str, float]:
     }
 
 
-def finger_slips(world: World, script: Script, log: Log) -> Matrix:
+def finger_slips(script: Script, log: Log) -> Matrix:
     """Returns the largest slip of a fingertip along the surface of the object [K] [m]."""
     slips = []
-    for i, place, centers in zip(log.moments, log.places, log.centers, strict=True):
-        X_OW = np.linalg.inv(frames.from_row(place.tolist()))
-        X_OW_planned = np.linalg.inv(frames.from_row(script.places[i].tolist()))
-        is_at = centers @ X_OW[:3, :3].T + X_OW[:3, 3]
-        should = script.centers[i] @ X_OW_planned[:3, :3].T + X_OW_planned[:3, 3]
+    actual = np.linalg.inv(frames.from_rows(log.places))
+    planned = np.linalg.inv(frames.from_rows(script.places[log.moments]))
+    of_moments = zip(log.moments, actual, planned, log.centers, strict=True)
+    for i, X_OW, X_OW_planned, centers in of_moments:
+        should = frames.transform(X_OW_planned, script.centers[i])
         normals = script.normals[i] @ X_OW_planned[:3, :3].T
-        off = is_at - should
+        off = frames.transform(X_OW, centers) - should
         off -= (off * normals).sum(axis=1, keepdims=True) * normals
         slips.append(float(np.linalg.norm(off, axis=1).max()))
     return np.array(slips)
@@ -166,10 +166,10 @@ def recording(script: Script, log: Log) -> Recording:
     return Recording(
         times=script.times[log.moments],
         positions=np.array(log.joints),
-        object_poses=np.array([frames.from_row(place.tolist()) for place in log.places]),
+        object_poses=frames.from_rows(log.places),
         fingers=np.array(log.centers),
         names=[script.names[k] for k in script.stage[log.moments]],
-        planned_poses=np.array([frames.from_row(p) for p in script.places[log.moments].tolist()]),
+        planned_poses=frames.from_rows(script.places[log.moments]),
     )
 
 

@@ -47,7 +47,7 @@ class Disturbed:
         self._servo = Servo(self._world, self._script, limit)
         scale = wrench_scale(problem.object.mass, problem.object.inertia)
         unscaled = np.asarray(plan.task.options.disturbance_directions)
-        self._wrenches_O = np.linalg.solve(scale, unscaled.T).T
+        self.wrenches_O = np.linalg.solve(scale, unscaled.T).T
         self._tried = range(len(unscaled)) if directions is None else directions
         self._start = round(settings.begin / self._world.model.opt.timestep)
         moments = range(self._start, round(settings.until / self._world.model.opt.timestep))
@@ -55,7 +55,7 @@ class Disturbed:
         self._touches = segment.touches[row]
         self._zeroed_O = np.zeros_like(self._script.centers[0])
         self._state = self._settled()
-        self._misplaced = 0.0
+        self.misplaced = 0.0  # of a finger, by a spring that bent without any wrench, at worst [m]
         self._undisturbed = self._run(np.zeros(6))
 
     @property
@@ -67,16 +67,6 @@ class Disturbed:
             corner_error(self._world.hull, place, self._script.places[i])
             for i, place in zip(looked_at, self._undisturbed, strict=False)
         )
-
-    @property
-    def misplaced(self) -> float:
-        """Returns how far a finger's spring was bent without any wrench, at worst [m]."""
-        return self._misplaced
-
-    def wrench_O(self, direction: int) -> Matrix:
-        """Returns the wrench [6] of 1 N along one direction of the task."""
-        wrench_O: Matrix = self._wrenches_O[direction]
-        return wrench_O
 
     def breaks(self, wrench_O: Matrix, distance: float) -> bool:
         """True if a wrench about the centre of mass, in O [N, N m], moves a corner so far [m].
@@ -108,7 +98,7 @@ class Disturbed:
             return 0.0, -1
         best, direction = self._settings.largest * z, -1
         for k in self._tried:
-            wrench_O = self._wrenches_O[k]
+            wrench_O = self.wrenches_O[k]
             if not self.breaks(best * wrench_O, distance):
                 continue
             holds = 0.0
@@ -166,7 +156,7 @@ class Disturbed:
                 if not off < distance:
                     break
             elif len(places) < self._first:
-                self._misplaced = max(self._misplaced, self._beside(i))
+                self.misplaced = max(self.misplaced, self._beside(i))
             places.append(place)
         return places
 

@@ -25,14 +25,7 @@ def passing(plan: Plan, segment: Segment, row: int, settings: Break) -> Script:
     times = np.arange(0, end, settings.sampling)
     along = slow_way(plan, segment, row, times, settings)
     arcs = max(len(segment.X_WO) - 1, 1)
-    before = np.floor(along).astype(int).clip(0, arcs - 1)
-    after = (before + 1).clip(0, len(segment.X_WO) - 1)
-    poses = np.array(
-        [
-            frames.between(segment.X_WO[j], segment.X_WO[k], u - j)
-            for j, k, u in zip(before, after, along, strict=True)
-        ]
-    )
+    poses = frames.along(segment.X_WO, along)
     problem = plan.task.problem
     rows = along * len(segment) / arcs - 0.5  # as a whole motion: forces change from row to row
     move = moving(segment, times, rows, poses, problem.fingers.radius)

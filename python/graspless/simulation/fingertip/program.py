@@ -9,20 +9,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..settings import Fingertip
 from .script import Script, blended, joined, moving, still
 
 if TYPE_CHECKING:
     from ...fingertip import Plan
     from ...frames import Matrix
     from ...timing import Trajectory
+    from ..settings import Fingertip
 
 
-def program(plan: Plan, trajectory: Trajectory, settings: Fingertip | None = None) -> Script:
+def program(plan: Plan, trajectory: Trajectory, settings: Fingertip) -> Script:
     """Returns the program of the fingertips of a plan. Between two motions the object rests,
     while the forces change from those of one to those of the next.
     """
-    settings = settings or Fingertip()
     moves = [_moving(plan, trajectory, s) for s in range(len(plan.segments))]
     parts = [touch(moves[0], settings)]
     for s, segment in enumerate(plan.segments):

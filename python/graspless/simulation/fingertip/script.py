@@ -147,7 +147,7 @@ def moving(
 
     return Script(
         times=np.asarray(times, dtype=float),
-        places=np.array([frames.to_row(X_WO) for X_WO in object_poses]),
+        places=frames.to_rows(object_poses),
         centers=p_WO + turned((points - radius * normals)[None]),
         normals=turned(normals[None]),
         forces=turned(forces_O),

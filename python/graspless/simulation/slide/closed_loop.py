@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 STOPPED = "stop"  # phase of a follower that has given up
 _STOP_SECONDS = 0.5  # after which the trial ends [s]
+_RATE = 100.0  # of updates [1/s]
 _LONGEST = 120.0  # trial [s]
 # Time stands still while the follower searches: parts of a search would depend on the computer.
 _FOLLOWING = Settings(search_seconds=Settings().plan_seconds)
@@ -107,13 +108,11 @@ class Camera:
 class Followed:
     """Controller that follows a plan by the camera, then adds squeeze, raise and hold."""
 
-    def __init__(
-        self, plan: Plan, camera: Camera, timestep: float, settings: Slide, rate: float = 100.0
-    ) -> None:
+    def __init__(self, plan: Plan, camera: Camera, timestep: float, settings: Slide) -> None:
         self.follower = Follower(plan, _FOLLOWING)
         self._plan, self._camera, self._settings = plan, camera, settings
         self._timestep = timestep
-        self._every = max(1, round(1 / rate / timestep))
+        self._every = max(1, round(1 / _RATE / timestep))
         self._end: Program | None = None
         self._began = 0
         self.target: Target | None = None

@@ -24,7 +24,7 @@ def draw(plan: Plan) -> Figure:
     stages = [stage for _, stage in stages_of(plan)]
     drawn = [_pixels(part("view", stage.kind, "picture").draw(stage)) for stage in stages]
     width, height = max(p.shape[1] for p in drawn), sum(p.shape[0] for p in drawn)
-    page = new_figure(width / DPI, height / DPI, DPI)
+    page = new_figure(width / DPI, height / DPI)
     for picture in drawn:
         height -= picture.shape[0]
         page.figimage(picture, 0, height, origin="upper")

@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from ... import frames
 from ...report import the
 from .. import raster
 from ..bodies import LOOP
@@ -111,14 +112,14 @@ def _draw_loops(axes: Any, plan: Plan, shown: Film) -> None:
     """Draws the point cloud with its loops, from a side that looks into the hole."""
     problem = plan.task.problem
     X_WO = shown.object_poses[0]
-    cloud = _moved(problem.object.points, X_WO)
+    cloud = frames.transform(X_WO, problem.object.points)
     middle = (cloud.min(axis=0) + cloud.max(axis=0)) / 2
     eye = middle + 4 * bodies.size(plan.task) * stage.direction(plan, shown)
     view = raster.Camera(eye, middle).fitted(cloud, *PANEL)
-    rings = [_moved(loop.points, X_WO) for loop in problem.object.loops.found]
+    rings = [frames.transform(X_WO, loop.points) for loop in problem.object.loops.found]
     draw_cloud(axes, cloud, rings, -1 if plan.loop is None else plan.loop, view, PANEL)
     if plan.target is not None:
-        spot = view.project(_moved([plan.target.point], X_WO), *PANEL)[0]
+        spot = view.project(frames.transform(X_WO, [plan.target.point]), *PANEL)[0]
         axes.plot(*spot[:2], "o", ms=7, mfc="w", mec=INK, mew=1)
 
 
@@ -184,8 +185,3 @@ def _draw_key(figure: Any, plan: Plan) -> None:
         handles=handles, loc="upper left", bbox_to_anchor=(0.008, 0.955), ncols=len(handles),
         fontsize=10, frameon=False, handlelength=1.4, columnspacing=1.4,
     )  # fmt: skip
-
-
-def _moved(points: Any, X_AB: Matrix) -> Matrix:
-    """Returns points of B in A, [N, 3]."""
-    return np.asarray(np.asarray(points, dtype=float) @ X_AB[:3, :3].T + X_AB[:3, 3])

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import frames
 from ..bodies import obstacles, vertices_of, without_floors
 from ..raster import Camera
 from . import bodies
@@ -95,7 +96,7 @@ def direction(plan: Plan, shown: Film, row: int | None = None) -> Matrix:
     """Returns the unit vector to the viewer, [3]; for a close-up of a row, along the loop."""
     base = shown.link_poses[0, 0, :3, 3]
     X_WO = shown.object_poses[0]
-    cloud = np.asarray(plan.task.problem.object.points) @ X_WO[:3, :3].T + X_WO[:3, 3]
+    cloud = frames.transform(X_WO, plan.task.problem.object.points)
     ahead = cloud.mean(axis=0) - base
     ahead[2] = 0.0
     ahead /= max(float(np.linalg.norm(ahead)), 1e-6)

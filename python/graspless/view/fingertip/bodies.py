@@ -187,7 +187,7 @@ def _along(tail: Matrix, tip: Matrix) -> Matrix:
 def supported(task: Task, X_WO: Matrix) -> Matrix:
     """Returns the object's corners on the floor and the walls, [N, 3] in the world."""
     problem = task.problem
-    hull = np.asarray(problem.object.hull) @ X_WO[:3, :3].T + X_WO[:3, 3]
+    hull = frames.transform(X_WO, problem.object.hull)
     near = TOUCHING * problem.object.size
     heights = [hull @ np.asarray(plane.n_W) - plane.offset for plane in problem.planes]
     touching = np.any(np.abs(heights) < near, axis=0)

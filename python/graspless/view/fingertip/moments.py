@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import frames
 from ...report.fingertip import travelled
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class Moment:
     @property
     def centers_W(self) -> Matrix:  # noqa: N802
         """Centres of the fingertips, [n, 3] in the world [m]."""
-        return np.asarray(self.centers @ self.X_WO[:3, :3].T + self.X_WO[:3, 3])
+        return frames.transform(self.X_WO, self.centers)
 
     @property
     def forces_W(self) -> Matrix:  # noqa: N802

@@ -13,7 +13,7 @@ from ... import frames
 from ...report import count, the
 from .. import raster
 from ..bodies import obstacles
-from ..figures import INK, draw_panel, failure, new_figure
+from ..figures import DPI, INK, draw_panel, failure, new_figure
 from . import bodies, carried, curves
 from .moments import largest_force, moments
 from .stage import camera, swept
@@ -34,7 +34,6 @@ ACROSS = 5  # panels in a row
 WIDTH = 15.0  # of the figure [inches]
 HEAD, CURVES, FOOT = 0.5, 2.6, 0.55  # heights [inches]
 GAP = 0.3  # for the chart's key, below the robot [inches]
-DPI = 110
 WALLS = 0.5  # transparency of walls
 TITLE = {"pad": 2, "y": 0.985}
 HIDDEN = 0.3  # visibility of hidden fingertips and forces
@@ -54,7 +53,7 @@ def draw(plan: Plan) -> Figure:
     if plan.segments:
         rows.append(CURVES)
     heights = [HEAD, *rows]
-    figure = new_figure(WIDTH, sum(heights) + FOOT, DPI)
+    figure = new_figure(WIDTH, sum(heights) + FOOT)
     grid = figure.add_gridspec(
         len(heights), 1, height_ratios=heights, left=0.045, right=0.985,
         bottom=FOOT / figure.get_figheight(), top=1, hspace=0.04,

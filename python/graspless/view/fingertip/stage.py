@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ... import frames
 from ..raster import Camera
 
 if TYPE_CHECKING:
@@ -23,8 +24,8 @@ ALONG = 0.45  # cosine of the view's angle to the motion: from the side, slightl
 
 def swept(task: Task, moments: Sequence[Moment]) -> Matrix:
     """Returns corners of object and fingertips at the moments, [N, 3] in the world."""
-    hull, radius = np.asarray(task.problem.object.hull), task.problem.fingers.radius
-    points = [hull @ m.X_WO[:3, :3].T + m.X_WO[:3, 3] for m in moments]
+    hull, radius = task.problem.object.hull, task.problem.fingers.radius
+    points = [frames.transform(moment.X_WO, hull) for moment in moments]
     around = radius * np.concatenate([np.eye(3), -np.eye(3)])
     for moment in moments:
         centers = moment.centers_W[np.isfinite(moment.centers_W).all(axis=1)]

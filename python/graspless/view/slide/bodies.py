@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ... import frames
 from ..bodies import OBJECT, TABLE, TRAIL, Body, Color, Part, placed_part
 from ..tubes import tube
 
@@ -71,8 +72,8 @@ def trail_body(shown: Film) -> Body:
     rows = shown.rows("slide")
     problem = shown.plan.task.problem
     X_WS = np.asarray(problem.support.X_WS)
-    X_SW = np.linalg.inv(X_WS)
-    tips = shown.frame(problem.hand.fingertip)[rows, :3, 3] @ X_SW[:3, :3].T + X_SW[:3, 3]
+    tips_W = shown.frame(problem.hand.fingertip)[rows, :3, 3]
+    tips = frames.transform(np.linalg.inv(X_WS), tips_W)
     steps = np.linalg.norm(np.diff(tips[:, :2], axis=0), axis=1)
     tips = tips[np.concatenate([[True], steps > 1e-9])] if len(tips) else tips
     if len(tips) < 2:
@@ -85,9 +86,8 @@ def trail_body(shown: Film) -> Body:
     n = len(tips)
     i = np.arange(n - 1)
     quads = [np.stack([i, i + n, i + n + 1], axis=1), np.stack([i, i + n + 1, i + 1], axis=1)]
-    return Body(
-        "trail", [Part(ribbon @ X_WS[:3, :3].T + X_WS[:3, 3], np.concatenate(quads), TRAIL)]
-    )
+    part = Part(frames.transform(X_WS, ribbon), np.concatenate(quads), TRAIL)
+    return Body("trail", [part])
 
 
 def contact_body(shown: Film) -> Body:

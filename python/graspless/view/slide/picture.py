@@ -185,7 +185,7 @@ def _draw_trail(axes: Any, shown: Film, X_SW: Matrix) -> None:
     if len(rows) < 2:
         return
     tips = shown.frame(shown.plan.task.problem.hand.fingertip)[rows, :3, 3]
-    tips = (tips @ X_SW[:3, :3].T + X_SW[:3, 3])[:, :2]
+    tips = frames.transform(X_SW, tips)[:, :2]
     axes.plot(*tips.T, color=TRAIL, lw=2.4, zorder=10)
     axes.plot(*tips[0], "o", ms=6, color=TRAIL, zorder=10)
     far = np.flatnonzero(np.linalg.norm(tips - tips[-1], axis=1) > 0.025)
