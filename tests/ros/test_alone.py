@@ -22,6 +22,7 @@ from graspless import TaskError
 from graspless.ros import demo, server, settings
 from graspless.ros.demo import Transcript, parameters
 from graspless.ros.diagnostics import statuses
+from graspless.ros.goals import Desk, Goal
 from graspless.ros.node import GrasplessNode
 from graspless.ros.results import bytes_of
 from graspless.ros.spinning import spin
@@ -239,3 +240,14 @@ def test_a_parameter_of_another_type_is_told(alone, capfd):
     finally:
         node.destroy_node()
     assert "'arm.joints' to 'elbow'" in capfd.readouterr().err
+
+
+def test_a_goal_that_comes_while_the_desk_closes_is_refused():
+    desk = Desk(workers=None, jobs=1, queue=1)
+    desk.close()
+    goal = Goal(handle=None, began=0.0, tell=lambda *_: None)
+    goal.wakes = lambda: None
+    desk.take(goal, job=None, mover=None)
+    ending = goal.future.result()
+    assert (ending.status, ending.reason) == ("refused", "the node is shutting down")
+    assert desk.size == 0

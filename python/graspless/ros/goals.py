@@ -122,6 +122,7 @@ class Desk:
         self._lock = threading.Lock()
         self._goals: dict[int, Goal] = {}
         self._moving: Goal | None = None
+        self._is_closing = False
         self.counts: dict[str, int] = {}
 
     @property
@@ -142,13 +143,16 @@ class Desk:
         mover : callable
             Returns what executes the plan of a goal; None: nothing.
         """
+        reason = f"{self._most} goals are waiting already (queue)"
         with self._lock:
-            if len(self._goals) < self._most:
+            if self._is_closing:
+                reason = "the node is shutting down"
+            elif len(self._goals) < self._most:
                 self._goals[id(goal)] = goal
                 self._planners.submit(self._plan, goal, job, mover)
                 return
         self._count("refused")
-        goal.end(Ending("refused", f"{self._most} goals are waiting already (queue)"))
+        goal.end(Ending("refused", reason))
 
     def cancel(self, goal: Goal, status: str = "", reason: str = "") -> None:
         """Cancels a goal. One that waits ends at once."""
@@ -166,7 +170,9 @@ class Desk:
             self.cancel(goal, status, reason)
 
     def close(self) -> None:
-        """Cancels all goals and waits until none is under way."""
+        """Cancels all goals and waits until none is under way; refuses others from now on."""
+        with self._lock:
+            self._is_closing = True
         self.cancel_all("stopped", "the node is shutting down")
         self._planners.shutdown(wait=True)
         self._movers.shutdown(wait=True)
