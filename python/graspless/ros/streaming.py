@@ -79,7 +79,9 @@ class Streaming:
         try:
             for planned in self._targets(follower, found, turns, cancel, tell):
                 target = dataclasses.replace(planned, position=planned.position + turns)
-                self._send(parts, target, 1 / self._settings.rate)
+                ahead = _AHEAD / self._settings.rate
+                q = target.position + ahead * target.velocity
+                self._send(parts, q, target.velocity, ahead)
                 if target.status == "stopped":
                     raise HaltedError("stopped", target.reason)
         except RefusedError as error:
@@ -157,13 +159,12 @@ class Streaming:
             yield dataclasses.replace(target, position=position, velocity=velocity)
             cancel.wait(period)
 
-    def _send(self, parts: list[Part], target: Target, period: float) -> None:
+    def _send(self, parts: list[Part], q: Matrix, velocity: Matrix, seconds: float) -> None:
+        """Has the robot be at q [dof] so many seconds from now."""
         for part in parts:
             columns = [k for k in part.columns if k is not None]
-            ahead = _AHEAD * period
-            position = target.position[columns] + ahead * target.velocity[columns]
             message = trajectory_of(
-                part.controller.joints, [ahead], [position], [target.velocity[columns]]
+                part.controller.joints, [seconds], [q[columns]], [velocity[columns]]
             )
             self._publishers[part.controller.name].publish(message)
 
@@ -173,11 +174,5 @@ class Streaming:
             return
         period = 1 / self._settings.rate
         for _ in range(_HOLD):
-            for part in parts:
-                columns = [k for k in part.columns if k is not None]
-                position = target.position[columns]
-                message = trajectory_of(
-                    part.controller.joints, [10 * period], [position], [0 * position]
-                )
-                self._publishers[part.controller.name].publish(message)
+            self._send(parts, target.position, 0 * target.position, 10 * period)
             time.sleep(period)
