@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import frames, timing
 from .._api import plan as plan_task
+from .._arguments import require_choice
 from ..errors import TaskError, shown
 from ..simulation import simulation_kind
 from ..simulation.variation import Variation
@@ -83,8 +84,7 @@ class PlanEnv(gymnasium.Env[Any, Any]):
     }
 
     def __init__(self, name: str, *, varied: bool = False, render_mode: str | None = None) -> None:
-        if name not in DRAWS:
-            raise TaskError(f"name: {name}: should be one of {', '.join(DRAWS)}")
+        require_choice("name", name, DRAWS)
         if render_mode not in (None, "rgb_array"):
             raise TaskError(f"render_mode: {render_mode}: should be None or rgb_array")
         self.render_mode = render_mode
