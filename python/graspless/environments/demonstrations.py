@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import shutil
 import zipfile
@@ -16,6 +15,7 @@ import numpy as np
 from .. import __version__, files
 from .._arguments import require_integer
 from ..errors import TaskError
+from ..perception.arrays import packed
 from . import lerobot, video
 from .draws import SENTENCES
 from .env import RATE, PlanEnv
@@ -139,10 +139,7 @@ class _Takes:
         """Returns the file of an episode, recorded now or before; None if it did not hold."""
         path = self.folder / f"{seed}.npz"
         if not _is_whole(path):
-            columns: Any = self._record(seed, path.with_suffix(".mp4")) or {}
-            buffer = io.BytesIO()
-            np.savez_compressed(buffer, **columns)
-            files.write(path, buffer.getvalue())
+            files.write(path, packed(self._record(seed, path.with_suffix(".mp4")) or {}))
         with np.load(path) as found:
             return path if found.files else None
 

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import io
 import math
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
@@ -13,6 +12,7 @@ import numpy as np
 
 from .. import files
 from .._core.perception import Body, Camera, cast_rays
+from .arrays import packed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -116,10 +116,7 @@ class Frame:
 
         Raises TaskError if the file cannot be written.
         """
-        packed = io.BytesIO()
-        arrays = {field.name: getattr(self, field.name) for field in fields(self)}
-        np.savez_compressed(packed, **arrays)
-        files.write(path, packed.getvalue())
+        files.write(path, packed({field.name: getattr(self, field.name) for field in fields(self)}))
 
 
 def look_at(eye: ArrayLike, target: ArrayLike) -> Matrix:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from .. import files, frames
+from .. import files
 from .._core.perception import EdgeLabel, Object, Scene, Status, Support, Unseen
 from ..errors import TaskError, explain, is_of_library
 from ..tasks.meshes import checksum
@@ -28,6 +28,7 @@ from ..tasks.shapes import (
     pose_matrix,
 )
 from ..tasks.source import Source
+from ..tasks.statement import pose_fields
 from .arrays import keep_other, packed, read_arrays
 
 if TYPE_CHECKING:
@@ -221,7 +222,7 @@ def load_scene(path: str | Path) -> Scene:
 def _support(support: Support) -> dict[str, Any]:
     return {
         "name": support.name,
-        "pose": _pose(support.X_WS),
+        "pose": pose_fields(support.X_WS),
         "polygon": _rounded(support.polygon),
         "edges": [label.name for label in support.edges],
         **_figures(support, "height_error", "angle_error", "noise", "least_thickness"),
@@ -232,7 +233,7 @@ def _object(thing: Object) -> dict[str, Any]:
     return {
         "name": thing.name,
         "support": thing.support,
-        "pose": _pose(thing.X_WO),
+        "pose": pose_fields(thing.X_WO),
         "outline": _rounded(thing.outline),
         **_figures(thing, "thickness", "thickness_error"),
         "is_flat": thing.is_flat,
@@ -255,11 +256,6 @@ def _figures(owner: Support | Object, *names: str) -> dict[str, float]:
 def _rounded(points: Matrix) -> list[list[float]]:
     """Returns coordinates in steps of 10 micrometres, far below what a camera resolves."""
     return [[round(float(value), 5) for value in row] for row in points]
-
-
-def _pose(X: Matrix) -> dict[str, Any]:
-    row = [float(value) for value in frames.to_row(X)]
-    return {"position": row[:3], "quaternion": row[3:]}
 
 
 def _built_support(fields: SupportFields) -> Support:
