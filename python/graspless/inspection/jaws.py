@@ -95,6 +95,10 @@ class Measure:
     def poses(self, state: Matrix) -> Matrix:
         return self.tree.poses(self.q(state))
 
+    def _clouds(self, state: Matrix) -> list[Matrix]:
+        X_WL = self.poses(state)
+        return [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
+
     def touches(self, state: Matrix) -> bool:
         """True if a link of one finger touches a link of the other.
 
@@ -106,17 +110,14 @@ class Measure:
 
     def ends(self, state: Matrix) -> tuple[Matrix, Matrix]:
         """Returns the points at the ends of both fingers; (N, 3) each [m]."""
-        X_WL = self.poses(state)
-        clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
+        clouds = self._clouds(state)
         chosen = self._chosen or [at_end(cloud, self.out) for cloud in clouds]
         first, second = (cloud[at] for cloud, at in zip(clouds, chosen, strict=True))
         return first, second
 
     def keep_ends(self, state: Matrix) -> None:
         """Lets ends() return the points that are at the ends in a state, in all states."""
-        X_WL = self.poses(state)
-        clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
-        self._chosen = [at_end(cloud, self.out) for cloud in clouds]
+        self._chosen = [at_end(cloud, self.out) for cloud in self._clouds(state)]
 
     def spread(self, state: Matrix) -> float:
         """Returns the distance between the middles of both ends, across the hand [m]."""
@@ -157,9 +158,7 @@ class Measure:
         """Returns how much farther one of two moving fingers reaches than the other [m]."""
         if any(finger.is_fixed for finger in self.fingers):
             return 0.0
-        X_WL = self.poses(state)
-        clouds = [self.tree.cloud(finger.links(self.tree), X_WL) for finger in self.fingers]
-        first, second = (float((cloud @ self.out).max()) for cloud in clouds)
+        first, second = (float((cloud @ self.out).max()) for cloud in self._clouds(state))
         return abs(first - second)
 
     def axes(self, X_WL: Matrix) -> Matrix:

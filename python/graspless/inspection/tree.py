@@ -142,7 +142,7 @@ class Tree:
 
     def poses(self, q: Matrix) -> Matrix:
         """Returns the poses of all links at q; [N, 4, 4] in W."""
-        return np.array([self.robot.pose(i, q) for i in range(len(self.links))])
+        return np.asarray(self.robot.forward(q))
 
 
 def _moving_joints(urdf: str) -> dict[str, Joint]:

@@ -80,7 +80,7 @@ class _Hand:
         """Renders the hand in a state, all of the robot at home; and where F and H are [pixels]."""
         q = self.robot.state(state)
         names = self.robot.frame_names
-        X_WL = [np.asarray(self.robot.pose(link, q)) for link in range(len(names))]
+        X_WL = np.asarray(self.robot.forward(q))
         wanted = [
             (body, X)
             for body, X, name in zip(self.bodies, X_WL, names, strict=True)
@@ -95,7 +95,7 @@ class _Hand:
         letters = {k: camera.project(p[None, :3], *PANEL)[0, :2] for k, p in ends.items()}
         return raster.render(wanted, camera, *PANEL), letters
 
-    def _across(self, X_WL: list[Matrix]) -> Matrix:
+    def _across(self, X_WL: Matrix) -> Matrix:
         """Columns: along the axes that the fingers bend about, across them, and to their tips."""
         if not self.clasp:
             return np.eye(3)
