@@ -150,8 +150,13 @@ def segment_lines(plan: Plan) -> list[str]:
 def _segment_line(plan: Plan, segment: Any) -> str:
     seconds = least_seconds(plan, segment)
     least = "" if seconds is None else f", at least {seconds:.2f} s long"
+    return f"{head(segment)}{least}"
+
+
+def head(segment: Any) -> str:
+    """Returns a segment's name and number of rows, in columns."""
     number, _, rows = count(len(segment), "rows").partition(" ")
-    return f"{segment.name:10}{number:>5} {rows}{least}"
+    return f"{segment.name:10}{number:>5} {rows}"
 
 
 def least_seconds(plan: Plan, segment: Any) -> float | None:

@@ -29,9 +29,13 @@ def details(plan: Plan) -> dict[str, Any]:
         "pre_shape": plan.pre_shape or plan.task.problem.hand.open,
         "min_linking": plan.min_linking,
         "virtual_linking": ends,
-        "stability": _stability(plan),
-        "pinch": _pinch(plan),
-        "certificate": _certificate(plan),
+        "stability": _fields(
+            plan.stability, "secure", "escapes", "margin", "withstands", "opens_first", "checks"
+        ),
+        "pinch": _fields(plan.pinch, "holds", "strength", "press", "load", "gap"),
+        "certificate": _fields(
+            plan.certificate, "caged", "lower", "upper", "thickness", "gap", "between", "moves"
+        ),
         "path_nodes": len(plan.tree.path),
         "warnings": list(plan.warnings),
         "segments": [{"name": s.name, "rows": len(s)} for s in plan.segments],
@@ -84,21 +88,7 @@ def _target(plan: Plan) -> dict[str, list[float]] | None:
     return {"point": target.point.tolist(), "tangent": target.tangent.tolist()}
 
 
-def _stability(plan: Plan) -> dict[str, Any] | None:
-    names = ("secure", "escapes", "margin", "withstands", "opens_first", "checks")
-    found = plan.stability
-    return None if found is None else {name: getattr(found, name) for name in names}
-
-
-def _pinch(plan: Plan) -> dict[str, Any] | None:
-    names = ("holds", "strength", "press", "load", "gap")
-    found = plan.pinch
-    return None if found is None else {name: getattr(found, name) for name in names}
-
-
-def _certificate(plan: Plan) -> dict[str, Any] | None:
-    names = ("caged", "lower", "upper", "thickness", "gap", "between", "moves")
-    found = plan.certificate
+def _fields(found: Any, *names: str) -> dict[str, Any] | None:
     return None if found is None else {name: getattr(found, name) for name in names}
 
 

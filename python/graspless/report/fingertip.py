@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import frames
-from . import count, warning_lines
+from . import count, head, warning_lines
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -95,21 +95,19 @@ def lines_not_found(plan: Plan, told: Collection[str]) -> list[str]:
 
 
 def _segment_line(segment: Segment) -> str:
-    number, _, rows = count(len(segment), "rows").partition(" ")
-    head = f"{segment.name:10}{number:>5} {rows:5}"
+    title = f"{head(segment):21}"
     if segment.name == "regrasp":
-        return f"{head} finger {segment.finger} moves, z {segment.stability.min():.3g} N"
-    return f"{head} {_moved(segment)}, z {_range(segment.stability)} N, {_modes(segment)}"
+        return f"{title} finger {segment.finger} moves, z {segment.stability.min():.3g} N"
+    return f"{title} {_moved(segment)}, z {_range(segment.stability)} N, {_modes(segment)}"
 
 
 def _joint_line(segment: JointSegment) -> str:
-    number, _, rows = count(len(segment), "rows").partition(" ")
     slips = (
         f", a fingertip slips by up to {1000 * segment.scrub:.1f} mm"
         if segment.scrub > 5e-5
         else ""
     )
-    return f"  arm: {segment.name:10}{number:>5} {rows}{slips}"
+    return f"  arm: {head(segment)}{slips}"
 
 
 def travelled(X_WO: Matrix, name: str) -> float:
