@@ -26,7 +26,10 @@ HEIGHT = 600  # of an inline replay [pixels]
 
 
 def show(plan: Plan) -> None:
-    """Shows a replay: inline in a notebook, otherwise in the web browser."""
+    """Shows a replay: inline in a notebook, otherwise in the web browser.
+
+    The browser's file stays in the folder for temporary files: it may be read after this program.
+    """
     from .replay import as_html
 
     page = as_html(plan)
