@@ -160,6 +160,10 @@ def test_bad_input_is_told(monkeypatch):
         made("Pick").render()
     with pytest.raises(TaskError, match="name: Throw: should be one of SlideToEdge, Tumble"):
         graspless.environments.PlanEnv("Throw")
+    with pytest.raises(TaskError, match="did you mean 'Tumble'"):
+        graspless.environments.PlanEnv("tumbel")
+    with pytest.raises(TaskError, match=r"name: \['Pick'\]: should be one of"):
+        graspless.environments.PlanEnv(["Pick"])
     env = made("Pick")
     env.reset(seed=2)
     allowed = r"should be an array of shape \(8,\) of finite numbers in \[-1, 1\]$"

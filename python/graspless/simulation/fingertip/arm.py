@@ -118,7 +118,7 @@ def prepare(plan: Plan, variation: Variation) -> tuple[ArmWorld, Script]:
     world = build_arm_world(plan, variation)
     script = arm_program(plan, world.settings)
     script = script.at(np.arange(0, script.duration, world.model.opt.timestep))
-    X_WO = frames.from_row(script.places[0].tolist())
+    X_WO = frames.from_row(script.places[0])
     X_WO[:2, 3] += variation.x, variation.y
     X_WO[:3, :3] = frames.from_rpy([0, 0, variation.yaw])[:3, :3] @ X_WO[:3, :3]
     world.stand(np.array(frames.to_row(X_WO)), script.joints[0])

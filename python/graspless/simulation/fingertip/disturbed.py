@@ -115,7 +115,7 @@ class Disturbed:
         """Returns the state of the world just before the wrench."""
         world, script = self._world, self._script
         held, settings = script.places[0], self._settings
-        world.place(frames.from_row(held.tolist()), script.centers[0])
+        world.place(frames.from_row(held), script.centers[0])
         letting_go = settings.still - settings.load_seconds
         for i in range(self._start):
             time = script.times[i]

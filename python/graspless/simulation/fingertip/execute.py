@@ -115,7 +115,7 @@ def look(world: World, script: Script, i: int, log: Log) -> None:
 
 def corner_error(hull: Matrix, place: Matrix, wanted: Matrix) -> float:
     """Returns the largest distance of a corner from its planned position [m]; poses are [7]."""
-    X_WO, X_WO_wanted = frames.from_row(place.tolist()), frames.from_row(wanted.tolist())
+    X_WO, X_WO_wanted = frames.from_row(place), frames.from_row(wanted)
     off = hull @ (X_WO - X_WO_wanted)[:3, :3].T + (X_WO - X_WO_wanted)[:3, 3]
     return float(np.linalg.norm(off, axis=1).max())
 

@@ -99,7 +99,7 @@ class World:
     @property
     def X_WO(self) -> Matrix:
         """Pose of the object."""
-        return frames.from_row(self.object_qpos.tolist())
+        return frames.from_row(self.object_qpos)
 
     @property
     def centers(self) -> Matrix:
