@@ -131,8 +131,9 @@ void bind_object(py::module_& m) {
           [](const std::string& name, const Array& p_OP, const LoopOptions& options,
              const std::vector<geometry::RayImage>& rays) {
             const Eigen::Matrix3Xd points = to_points3(p_OP, "p_OP");
+            const LoopOptions now = options;
             const py::gil_scoped_release release;
-            return Object::from_cloud(name, points, options, rays);
+            return Object::from_cloud(name, points, now, rays);
           },
           py::arg("name"), py::arg("p_OP"), py::arg_v("options", LoopOptions{}, "LoopOptions()"),
           py::arg("rays") = std::vector<geometry::RayImage>{},
@@ -376,11 +377,12 @@ void bind_pinch(py::module_& m) {
       "test_pinch",
       [](const Problem& problem, const Array& q, double friction, const StabilityOptions& options) {
         const Eigen::VectorXd given = to_configuration(problem.robot, q, "q");
+        const StabilityOptions now = options;
         const py::gil_scoped_release release;
-        return test_pinch(problem, given, friction, options);
+        return test_pinch(problem, given, friction, now);
       },
       py::arg("problem"), py::arg("q"), py::arg("friction") = Options{}.friction,
-      py::arg("options") = StabilityOptions{},
+      py::arg_v("options", StabilityOptions{}, "StabilityOptions()"),
       R"(Tests if friction holds the object between the two fingers of a hand.
 
 Each finger presses with 1 N on two points of its contact with the object's surface.

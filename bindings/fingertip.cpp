@@ -644,10 +644,16 @@ void bind_planner(py::module_& m) {
       "4).\n\n"
       "Finding no plan is a status, not an error.",
       "Checks a plan: derives every row anew from its problem, without the code of the search.");
-  m.def("validate", py::overload_cast<const Problem&, const Options&>(&validate),
-        py::arg("problem"), py::arg("options"), py::call_guard<py::gil_scoped_release>(),
-        "Raises ValueError like the other two, or if the search does not fit into "
-        "options.max_memory.");
+  m.def(
+      "validate",
+      [](const Problem& problem, const Options& options) {
+        const Options now = options;
+        const py::gil_scoped_release release;
+        validate(problem, now);
+      },
+      py::arg("problem"), py::arg("options"),
+      "Raises ValueError like the other two, or if the search does not fit into "
+      "options.max_memory.");
   const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
   const py::arg_v default_realize_options("realize_options", RealizeOptions{}, "RealizeOptions()");
   m.def(

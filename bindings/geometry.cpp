@@ -726,8 +726,9 @@ void bind_loops(py::module_& m) {
 Loops shortest_loops_released(const Array& points, const LoopOptions& options,
                               const std::vector<RayImage>& rays) {
   const Eigen::Matrix3Xd columns = to_points3(points, "points");
+  const LoopOptions now = options;
   const py::gil_scoped_release release;
-  return shortest_loops(columns, options, rays);
+  return shortest_loops(columns, now, rays);
 }
 
 void bind_shortest_loops(py::module_& m) {

@@ -151,22 +151,30 @@ void bind_description(py::module_& m) {
       .def("__repr__", [](const Description& self) {
         return "<Description with a URDF of " + std::to_string(self.urdf.size()) + " characters>";
       });
-  m.def("find_packages", &robot::find_packages, py::arg("description"),
-        py::call_guard<py::gil_scoped_release>(),
-        "Returns the packages of a description, and those that its meshes name as "
-        "package://NAME/...\n\n"
-        "Looks in ROS_PACKAGE_PATH, in AMENT_PREFIX_PATH (share/NAME), and in the folders above "
-        "the directory: one called NAME,\n"
-        "one that contains NAME or, failing that, one that contains the mesh itself. The first "
-        "folder that contains the mesh is used.\n\n"
-        "Raises ValueError that says where a collision mesh's package was looked for.");
+  m.def(
+      "find_packages",
+      [](const Description& description) {
+        const Description now = description;
+        const py::gil_scoped_release release;
+        return robot::find_packages(now);
+      },
+      py::arg("description"),
+      "Returns the packages of a description, and those that its meshes name as "
+      "package://NAME/...\n\n"
+      "Looks in ROS_PACKAGE_PATH, in AMENT_PREFIX_PATH (share/NAME), and in the folders above "
+      "the directory: one called NAME,\n"
+      "one that contains NAME or, failing that, one that contains the mesh itself. The first "
+      "folder that contains the mesh is used.\n\n"
+      "Raises ValueError that says where a collision mesh's package was looked for.");
   m.def(
       "join",
       [](const Description& arm, const Description& gripper, const std::string& mount,
          const Array& X_MG, const std::string& prefix, const std::string& root) {
         const robot::Mount place{mount, to_pose(X_MG, "X_MG"), prefix, root};
+        const Description arm_now = arm;
+        const Description gripper_now = gripper;
         const py::gil_scoped_release release;
-        return robot::join(arm, gripper, place);
+        return robot::join(arm_now, gripper_now, place);
       },
       py::arg("arm"), py::arg("gripper"), py::arg("mount"), pose_arg("X_MG"),
       py::arg("prefix") = "", py::arg("root") = "",
