@@ -367,7 +367,7 @@ FingerState from_numbers(const FingerNumbers& numbers) {
           numbers.segment<3>(9)};
 }
 
-/// Rows as arrays: their poses [N, 4, 4], their margins [N, 4], their fingers [N, n, 12].
+/// Rows as arrays: their poses [N, 4, 4], their margins [N, 5], their fingers [N, n, 12].
 std::tuple<Array, Array, Array> to_arrays(const Segment& segment) {
   const auto N = static_cast<py::ssize_t>(segment.rows.size());
   const auto n = N == 0 ? 0 : static_cast<py::ssize_t>(segment.rows[0].fingers.size());
@@ -457,8 +457,8 @@ void bind_rows(py::module_& m) {
   py::class_<Segment>(m, "Segment",
                       "Part of the plan during which no finger changes its place, or one regrasp.")
       .def(py::init([](const std::string& name, const Array& X_WO, const std::vector<Row>& rows,
-                       int moves) {
-             return Segment{name, to_poses(X_WO, "X_WO"), rows, moves};
+                       int finger) {
+             return Segment{name, to_poses(X_WO, "X_WO"), rows, finger};
            }),
            py::arg("name"), py::arg("X_WO"), py::arg("rows"), py::arg("finger") = -1,
            "X_WO: (K, 4, 4) poses of the lattice, first to last. rows: instants. finger: index of "
@@ -651,9 +651,7 @@ void bind_planner(py::module_& m) {
         const py::gil_scoped_release release;
         validate(problem, now);
       },
-      py::arg("problem"), py::arg("options"),
-      "Raises ValueError like the other two, or if the search does not fit into "
-      "options.max_memory.");
+      py::arg("problem"), py::arg("options"), "Raises ValueError like the other two.");
   const py::arg_v default_realize("options", RealizeOptions{}, "RealizeOptions()");
   const py::arg_v default_realize_options("realize_options", RealizeOptions{}, "RealizeOptions()");
   m.def(

@@ -23,7 +23,7 @@ using Rows6 = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 using Matrix6Rows = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using MaybeArray = std::optional<Array>;
 
-// As kUnit of cpp/src/mechanics/contact.cpp: what validate() would refuse is mended.
+// As kUnit of cpp/src/mechanics/contacts/contact.cpp: what validate() would refuse is mended.
 constexpr double kUnit = 1e-9;
 
 Eigen::Vector3d to_direction(const MaybeArray& values, const std::string& name) {

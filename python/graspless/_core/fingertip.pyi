@@ -1409,5 +1409,5 @@ def validate(options: Options) -> None:
 @typing.overload
 def validate(problem: Problem, options: Options) -> None:
     """
-    Raises ValueError like the other two, or if the search does not fit into options.max_memory.
+    Raises ValueError like the other two.
     """
