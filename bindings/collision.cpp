@@ -11,19 +11,6 @@ namespace {
 using collision::World;
 using Shapes = std::vector<geometry::PlacedShape>;
 
-int body_index(const World& world, const Key& body) {
-  if (const auto* name = std::get_if<std::string>(&body)) {
-    return world.body(*name);
-  }
-  const int index = std::get<int>(body);
-  if (index < 0 || index >= world.num_bodies()) {
-    throw std::invalid_argument("body must be the index of one of the world's " +
-                                std::to_string(world.num_bodies()) + " bodies, not " +
-                                std::to_string(index));
-  }
-  return index;
-}
-
 void bind_obstacle(py::module_& m) {
   using collision::Obstacle;
   py::class_<Obstacle>(m, "Obstacle", "Fixed body that a motion must avoid.")

@@ -213,6 +213,19 @@ int frame_index(const robot::Robot& robot, const Key& frame, const std::string& 
   return index;
 }
 
+int body_index(const collision::World& world, const Key& body, const char* owner) {
+  if (const auto* name = std::get_if<std::string>(&body)) {
+    return world.body(*name);
+  }
+  const int index = std::get<int>(body);
+  if (index < 0 || index >= world.num_bodies()) {
+    throw std::invalid_argument("body must be the index of one of the " + std::string(owner) +
+                                "'s " + std::to_string(world.num_bodies()) + " bodies, not " +
+                                std::to_string(index));
+  }
+  return index;
+}
+
 namespace {
 
 /// As Python shows it; of a long array its shape alone.

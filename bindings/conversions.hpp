@@ -16,6 +16,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/typing.h>
 
+#include "graspless/collision/world.hpp"
 #include "graspless/robot/robot.hpp"
 
 /// Between numpy and Eigen. In Python many points are rows (N x 3) and poses are 4 x 4; here points
@@ -26,9 +27,11 @@ namespace graspless::bindings {
 namespace py = pybind11;
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using FloatImage = py::array_t<float, py::array::c_style | py::array::forcecast>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Rows2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Rows6 = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 using Rows3i = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Pose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 using Configurations = std::vector<Eigen::VectorXd>;
@@ -62,6 +65,8 @@ py::arg_v pose_arg(const char* name);
 /// What may stand for a frame or a body: its name or its index.
 using Key = std::variant<std::string, int>;
 int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name = "frame");
+/// `owner` is what std::invalid_argument says the bodies belong to.
+int body_index(const collision::World& world, const Key& body, const char* owner = "world");
 
 // Attributes whose arrays are copies return a const matrix, from which pybind11 makes a read-only
 // array: in one that could be changed, the change would be lost.
@@ -187,20 +192,6 @@ void bind_fields(py::class_<Struct>& cls, const char* init_doc, Field<Struct, Va
     return represent(self, names);
   });
   bind_pickling(cls, {fields.name...});
-}
-
-/// As bind_fields, of what a search counted: with as_dict(), in the order of the table.
-template <class Statistics, class... Values>
-void bind_statistics_fields(py::class_<Statistics>& cls, Field<Statistics, Values>... fields) {
-  bind_fields(cls, "Any field by keyword; the others are zero.", fields...);
-  cls.def(
-      "as_dict",
-      [names = std::vector<const char*>{fields.name...}](const py::object& self) {
-        py::typing::Dict<py::str, py::object> result;
-        for (const char* name : names) result[name] = self.attr(name);
-        return result;
-      },
-      "Returns all fields by name.");
 }
 
 }  // namespace graspless::bindings

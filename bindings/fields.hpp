@@ -92,13 +92,22 @@ void bind_options_struct(py::module_& m, const char* name, const char* doc) {
   bind_descriptions(bound);
 }
 
-/// Binds Statistics: as options, with as_dict() in the order of the table.
+/// Binds Statistics, what a search counted: as options, with as_dict() in the order of the table.
 template <class Struct>
 void bind_statistics_struct(py::module_& m) {
   py::class_<Struct> bound(m, "Statistics", "Counters of the search.");
   std::apply(
       [&](const auto&... field) {
-        bind_statistics_fields(bound, Field{field.name, field.member, docstring(field, false)}...);
+        bind_fields(bound, "Any field by keyword; the others are zero.",
+                    Field{field.name, field.member, docstring(field, false)}...);
+        bound.def(
+            "as_dict",
+            [names = std::vector<const char*>{field.name...}](const py::object& self) {
+              py::typing::Dict<py::str, py::object> result;
+              for (const char* name : names) result[name] = self.attr(name);
+              return result;
+            },
+            "Returns all fields by name.");
       },
       fields(Struct{}));
   bind_descriptions(bound);

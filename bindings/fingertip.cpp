@@ -13,7 +13,6 @@ namespace graspless::bindings {
 
 using Interval = mechanics::FrictionInterval;
 using Directions = mechanics::Matrix6Xd;
-using Rows6 = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
 /// One number, or both bounds.
 template <>
@@ -74,13 +73,6 @@ geometry::Mesh to_mesh(const py::object& given) {
         "mesh must have vertices of shape (N, 3) and triangles of shape (M, 3)");
   }
   return {to_points3(rows, "vertices"), to_triangles(faces, "triangles")};
-}
-
-Eigen::Matrix3d to_inertia(const Array& rows) {
-  if (rows.ndim() != 2 || rows.shape(0) != 3 || rows.shape(1) != 3) {
-    throw std::invalid_argument("inertia_O must have shape (3, 3)");
-  }
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.data());
 }
 
 void bind_object(py::module_& m) {
@@ -153,7 +145,7 @@ void bind_object(py::module_& m) {
       .def(
           "with_inertia",
           [](const Object& self, const Array& inertia_O) {
-            return self.with_inertia(to_inertia(inertia_O));
+            return self.with_inertia(to_matrix3(inertia_O, "inertia_O"));
           },
           py::arg("inertia_O"),
           "Returns a copy with another inertia about its centre of mass, (3, 3) in O [kg m^2].")

@@ -401,7 +401,6 @@ ValueError
       });
 }
 
-using FloatImage = py::array_t<float, py::array::c_style | py::array::forcecast>;
 using Ends = decltype(RayImage::ends);
 using BoolImage = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 

@@ -15,11 +15,20 @@
 #include "fields.hpp"
 
 namespace graspless::bindings {
+
+template <>
+struct Python<mechanics::Vector6d> {
+  using Given = Array;
+  static mechanics::Vector6d from(const Array& value, const char* name) {
+    return to_vector(value, name, 6);
+  }
+  static const mechanics::Vector6d& shown(const mechanics::Vector6d& value) { return value; }
+};
+
 namespace {
 
 using namespace mechanics;
 
-using Rows6 = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 using Matrix6Rows = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using MaybeArray = std::optional<Array>;
 
@@ -64,18 +73,6 @@ ContactSet with_unit_normals(const ContactSet& set) {
   return mended;
 }
 
-/// A vector member, copied both ways.
-template <class Struct, class Vector>
-void bind_vector(py::class_<Struct>& cls, const char* name, Vector Struct::*member,
-                 const char* doc) {
-  cls.def_property(
-      name, [member](const Struct& self) -> const Vector { return self.*member; },
-      [member, name](Struct& self, const Array& values) {
-        self.*member = to_vector(values, name, Vector::RowsAtCompileTime);
-      },
-      doc);
-}
-
 void bind_contacts(py::module_& m) {
   py::native_enum<ContactMode>(m, "ContactMode", "graspless._named.Named",
                                "Motion of the object at a contact with the environment, Eq. (1).")
@@ -116,13 +113,15 @@ void bind_contacts(py::module_& m) {
               "    in which the object moves and must be given. For a sticking contact it is the "
               "direction of\n"
               "    the first edge of the friction cone; `tangent` chooses one by default.");
-  bind_vector(contact, "p_OC", &Contact::p_OC, "(3,) contact point in O [m].");
-  bind_vector(contact, "n_O", &Contact::n_O, "(3,) unit normal in O, pointing into the object.");
+  bind_field(contact, Field{"p_OC", &Contact::p_OC, "(3,) contact point in O [m]."});
+  bind_field(contact,
+             Field{"n_O", &Contact::n_O, "(3,) unit normal in O, pointing into the object."});
   bind_field(contact, Field{"friction", &Contact::friction, "Coefficient of friction."});
   bind_field(contact, Field{"mode", &Contact::mode, "Sticking or sliding."});
-  bind_vector(contact, "t_O", &Contact::t_O,
-              "(3,) direction of sliding, or of the first edge of the cone, in O. Zero lets "
-              "`tangent` choose.");
+  bind_field(contact,
+             Field{"t_O", &Contact::t_O,
+                   "(3,) direction of sliding, or of the first edge of the cone, in O. Zero lets "
+                   "`tangent` choose."});
   contact.def("__repr__", [](const py::object& self) {
     return represent(self, {"p_OC", "n_O", "friction", "mode", "t_O"});
   });
@@ -149,13 +148,16 @@ void bind_contacts(py::module_& m) {
              "t_O : array (3,), optional\n"
              "    Direction of the first edge of the friction cone, in O; `tangent` chooses one by "
              "default.");
-  bind_vector(finger, "p_OC", &Finger::p_OC, "(3,) contact point in O [m].");
-  bind_vector(finger, "n_O", &Finger::n_O, "(3,) unit normal in O, pointing into the object.");
+  bind_field(finger, Field{"p_OC", &Finger::p_OC, "(3,) contact point in O [m]."});
+  bind_field(finger,
+             Field{"n_O", &Finger::n_O, "(3,) unit normal in O, pointing into the object."});
   bind_field(finger, Field{"friction", &Finger::friction, "Coefficient of friction."});
   bind_field(finger, Field{"max_normal_force", &Finger::max_normal_force,
                            "Upper limit f_max of the normal force [N]."});
-  bind_vector(finger, "t_O", &Finger::t_O,
-              "(3,) direction of the first edge of the cone, in O. Zero lets `tangent` choose.");
+  bind_field(
+      finger,
+      Field{"t_O", &Finger::t_O,
+            "(3,) direction of the first edge of the cone, in O. Zero lets `tangent` choose."});
   finger.def("__repr__", [](const py::object& self) {
     return represent(self, {"p_OC", "n_O", "friction", "max_normal_force", "t_O"});
   });
@@ -207,9 +209,9 @@ void bind_contact_set(py::module_& m) {
   bind_field(set, Field{"contacts", &ContactSet::contacts,
                         "Contacts with the environment. The tuple holds copies."});
   bind_field(set, Field{"fingers", &ContactSet::fingers, "Fingertips. The tuple holds copies."});
-  bind_vector(set, "com_O", &ContactSet::com_O, "(3,) centre of mass in O [m].");
-  bind_vector(set, "known_wrench_O", &ContactSet::known_wrench_O,
-              "(6,) known wrench Q_known in O about the centre of mass [N, N m].");
+  bind_field(set, Field{"com_O", &ContactSet::com_O, "(3,) centre of mass in O [m]."});
+  bind_field(set, Field{"known_wrench_O", &ContactSet::known_wrench_O,
+                        "(6,) known wrench Q_known in O about the centre of mass [N, N m]."});
   set.def_property(
       "wrench_scale", [](const ContactSet& self) -> const Matrix6Rows { return self.wrench_scale; },
       [](ContactSet& self, const Array& scale) {
@@ -385,8 +387,8 @@ void bind_patches(py::module_& m) {
       "friction : float\n"
       "    Coefficient of friction.");
   bind_field(plane, Field{"name", &Plane::name, "Name in error messages."});
-  bind_vector(plane, "n_W", &Plane::n_W,
-              "(3,) unit normal in the world, pointing out of the solid.");
+  bind_field(plane, Field{"n_W", &Plane::n_W,
+                          "(3,) unit normal in the world, pointing out of the solid."});
   bind_field(plane, Field{"offset", &Plane::offset, "n_W . p of the points p on its surface [m]."});
   bind_field(plane, Field{"friction", &Plane::friction, "Coefficient of friction."});
   plane.def("__repr__", [](const py::object& self) {
@@ -414,12 +416,9 @@ void bind_patches(py::module_& m) {
       "at_rest : bool\n"
       "    The object stands still. Every contact then sticks, and the twist only determines the\n"
       "    directions of the cones.");
-  state.def_property(
-      "X_WO", [](const BodyState& self) -> const Pose { return from_pose(self.X_WO); },
-      [](BodyState& self, const Array& X) { self.X_WO = to_pose(X, "X_WO"); },
-      "(4, 4) pose in the world.");
-  bind_vector(state, "twist_W", &BodyState::twist_W,
-              "(6,) velocity of O's origin, then angular velocity, in the world.");
+  bind_field(state, Field{"X_WO", &BodyState::X_WO, "(4, 4) pose in the world."});
+  bind_field(state, Field{"twist_W", &BodyState::twist_W,
+                          "(6,) velocity of O's origin, then angular velocity, in the world."});
   bind_field(state, Field{"at_rest", &BodyState::at_rest, "True if the object stands still."});
   state.def("__repr__", [](const py::object& self) {
     return represent(self, {"X_WO", "twist_W", "at_rest"});

@@ -104,8 +104,6 @@ ValueError
 )");
 }
 
-using FloatImage = py::array_t<float, py::array::c_style | py::array::forcecast>;
-
 DepthImage to_image(const FloatImage& depth) {
   if (depth.ndim() != 2) {
     throw std::invalid_argument("depth has " + std::to_string(depth.ndim()) +

@@ -15,16 +15,7 @@ using scene::Scene;
 using Shapes = std::vector<geometry::PlacedShape>;
 
 int body_index(const Scene& scene, const Key& body) {
-  if (const auto* name = std::get_if<std::string>(&body)) {
-    return scene.world().body(*name);
-  }
-  const int index = std::get<int>(body);
-  if (index < 0 || index >= scene.world().num_bodies()) {
-    throw std::invalid_argument("body must be the index of one of the scene's " +
-                                std::to_string(scene.world().num_bodies()) + " bodies, not " +
-                                std::to_string(index));
-  }
-  return index;
+  return bindings::body_index(scene.world(), body, "scene");
 }
 
 void bind_bodies(py::class_<Scene>& cls) {
