@@ -43,22 +43,20 @@ void bind_places(py::module_& m) {
            "object, the first with the hand open around it; it leaves it\nalong the same way "
            "relative to the object, with the same fingers. Without them, it goes straight. "
            "down_O: (3,) direction in O in which the object comes down; zero: against the normal.")
-      .def_property_readonly(
-          "X_WO", [](const Places& self) { return shown_poses(self.X_WO); },
-          "(N, 4, 4) poses of the object in the world, the best first.")
+      .def_property_readonly("X_WO", shown(&Places::X_WO),
+                             "(N, 4, 4) poses of the object in the world, the best first.")
       .def_readonly("on", &Places::on, "Obstacle on which the object then stands.")
       .def_property_readonly(
-          "q_open", [](const Places& self) -> const Eigen::VectorXd { return self.q_open; },
+          "q_open", shown(&Places::q_open),
           "(dof,) configuration whose joints outside the arm's group open the hand [rad or m].")
       .def_readonly("way_out", &Places::way_out,
                     "List of (dof,) configurations along which the hand can leave the object [rad "
                     "or m]; empty: it goes straight.")
       .def_property_readonly(
-          "down_O", [](const Places& self) -> const Eigen::Vector3d { return self.down_O; },
+          "down_O", shown(&Places::down_O),
           "(3,) direction in O in which the object comes down; zero: against the normal.")
-      .def_property_readonly(
-          "normal_W", [](const Places& self) -> const Eigen::Vector3d { return self.normal_W; },
-          "(3,) unit normal of the obstacle's surface in the world.")
+      .def_property_readonly("normal_W", shown(&Places::normal_W),
+                             "(3,) unit normal of the obstacle's surface in the world.")
       .def("__repr__", [](const Places& self) {
         return "<Places: " + std::to_string(self.X_WO.size()) + " on '" + self.on + "'>";
       });
@@ -86,8 +84,7 @@ void bind_problem(py::module_& m) {
                  to_rests(rests_on),
                  to_configuration(robot, q_start, "q_start"),
                  places,
-                 X_WO_hanging ? std::optional(to_pose(*X_WO_hanging, "X_WO_hanging"))
-                              : std::nullopt};
+                 MaybePose::from(X_WO_hanging, "X_WO_hanging")};
            }),
            py::arg("robot"), py::arg("frame"), py::arg("object"), py::arg("X_WO_goal"),
            py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
@@ -99,8 +96,7 @@ void bind_problem(py::module_& m) {
            "and may be dragged over, each with its unit normal (3,) in the world. arm: group of "
            "the joints that move. places: where the object is put down; X_WO_goal is then None.\n"
            "X_WO_hanging: (4, 4) pose of a loose object at the start, as it hangs in the hand.")
-      .def_property_readonly(
-          "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
+      .def_property_readonly("robot", shown(&Problem::robot), "Robot that moves.")
       .def_readonly("arm", &Problem::arm, "Group of the joints that move.")
       .def_readonly("frame", &Problem::frame, "Link that holds the object.")
       .def_readonly("object", &Problem::object, "Held object, with its pose at the start.")
@@ -113,15 +109,10 @@ void bind_problem(py::module_& m) {
           "(4, 4) pose of the object in the world at the end; None with places.")
       .def_readonly("places", &Problem::places, "Places where the object is put down, or None.")
       .def_property_readonly(
-          "X_WO_hanging",
-          [](const Problem& self) -> std::optional<const Pose> {
-            if (!self.X_WO_hanging) return std::nullopt;
-            return from_pose(*self.X_WO_hanging);
-          },
+          "X_WO_hanging", shown(&Problem::X_WO_hanging),
           "(4, 4) pose of a loose object at the start, as it hangs in the hand; else None.")
-      .def_property_readonly(
-          "q_start", [](const Problem& self) -> const Eigen::VectorXd { return self.q_start; },
-          "(dof,) configuration at the start [rad or m].")
+      .def_property_readonly("q_start", shown(&Problem::q_start),
+                             "(dof,) configuration at the start [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles,
                     "Bodies that neither the arm nor the object may touch.")
       .def_property_readonly(

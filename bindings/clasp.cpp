@@ -160,19 +160,14 @@ ValueError
     As geometry.shortest_loops.
 )")
       .def_property_readonly("name", &Object::name, "Name used in error messages and pictures.")
+      .def_property_readonly("points", shown(&Object::points), "(N, 3) input cloud, in O [m].")
+      .def_property_readonly("loops", shown(&Object::loops), "geometry.Loops in O; a copy.")
+      .def_property_readonly("loop_options", shown(&Object::loop_options),
+                             "geometry.LoopOptions used to find the loops; a copy.")
+      .def_property_readonly("rays", shown(&Object::rays),
+                             "geometry.RayImages that decided which loops are holes, in O; a copy.")
       .def_property_readonly(
-          "points", [](const Object& self) -> const Rows3 { return self.points().transpose(); },
-          "(N, 3) input cloud, in O [m].")
-      .def_property_readonly(
-          "loops", [](const Object& self) { return self.loops(); }, "geometry.Loops in O; a copy.")
-      .def_property_readonly(
-          "loop_options", [](const Object& self) { return self.loop_options(); },
-          "geometry.LoopOptions used to find the loops; a copy.")
-      .def_property_readonly(
-          "rays", [](const Object& self) { return self.rays(); },
-          "geometry.RayImages that decided which loops are holes, in O; a copy.")
-      .def_property_readonly(
-          "surface", [](const Object& self) { return self.surface(); },
+          "surface", shown(&Object::surface),
           "Collision surface, in O [m]: the triangles of loops.surface, and narrow ones for edges "
           "and points "
           "without a triangle.")
@@ -214,13 +209,15 @@ void bind_problem(py::module_& m) {
                        const Array& X_WO, const Array& q_start,
                        const std::vector<Obstacle>& obstacles, const std::vector<int>& loops,
                        const std::optional<Array>& marks, const std::optional<Array>& pull_W) {
-             Problem problem{robot,       hand,
-                             object,      to_pose(X_WO, "X_WO"),
-                             obstacles,   to_configuration(robot, q_start, "q_start"),
-                             loops,       to_marks(marks),
-                             std::nullopt};
-             if (pull_W) problem.pull_W = to_vector3(*pull_W, "pull_W");
-             return problem;
+             return Problem{robot,
+                            hand,
+                            object,
+                            to_pose(X_WO, "X_WO"),
+                            obstacles,
+                            to_configuration(robot, q_start, "q_start"),
+                            loops,
+                            to_marks(marks),
+                            Python<decltype(Problem::pull_W)>::from(pull_W, "pull_W")};
            }),
            py::arg("robot"), py::arg("hand"), py::arg("object"), py::arg("X_WO"),
            py::arg("q_start"), py::arg("obstacles") = std::vector<Obstacle>{},
@@ -248,18 +245,12 @@ Raises
 ValueError
     If a shape is wrong. plan() validates the values.
 )")
-      .def_property_readonly(
-          "robot", [](const Problem& self) { return self.robot; }, "The robot.")
-      .def_property_readonly(
-          "hand", [](const Problem& self) { return self.hand; }, "A copy of the hand.")
-      .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "The object to clasp.")
-      .def_property_readonly(
-          "X_WO", [](const Problem& self) -> const Pose { return from_pose(self.X_WO); },
-          "(4, 4) pose of the object in W.")
-      .def_property_readonly(
-          "q_start", [](const Problem& self) -> const Eigen::VectorXd { return self.q_start; },
-          "(dof,) start configuration [rad or m].")
+      .def_property_readonly("robot", shown(&Problem::robot), "The robot.")
+      .def_property_readonly("hand", shown(&Problem::hand), "A copy of the hand.")
+      .def_property_readonly("object", shown(&Problem::object), "The object to clasp.")
+      .def_property_readonly("X_WO", shown(&Problem::X_WO), "(4, 4) pose of the object in W.")
+      .def_property_readonly("q_start", shown(&Problem::q_start),
+                             "(dof,) start configuration [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in W.")
       .def_readonly("loops", &Problem::loops,
                     "Indices of the loops that may be clasped; empty: all.")
@@ -267,13 +258,8 @@ ValueError
           "marks",
           [](const Problem& self) -> const Rows3 { return columns(self.marks).transpose(); },
           "(N, 3) points in O near which to clasp [m]; none: anywhere.")
-      .def_property_readonly(
-          "pull_W",
-          [](const Problem& self) -> std::optional<const Eigen::Vector3d> {
-            if (!self.pull_W) return std::nullopt;
-            return *self.pull_W;
-          },
-          "(3,) direction of the later pull in W, or None.")
+      .def_property_readonly("pull_W", shown(&Problem::pull_W),
+                             "(3,) direction of the later pull in W, or None.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"robot", "object", "obstacles", "loops", "pull_W"});
       });
@@ -456,9 +442,8 @@ void bind_tree(py::module_& m) {
            py::arg("path") = std::vector<int>{},
            "p_W: (N, 3) [m]. parents: (N,) node indices. path: node indices from the root to the "
            "clasp.")
-      .def_property_readonly(
-          "p_W", [](const Tree& self) -> const Rows3 { return self.p_W.transpose(); },
-          "(N, 3) centre of the finger curves at every node, in W [m].")
+      .def_property_readonly("p_W", shown(&Tree::p_W),
+                             "(N, 3) centre of the finger curves at every node, in W [m].")
       .def_readonly("parents", &Tree::parents,
                     "Index of every node's parent; the root is its own parent.")
       .def_readonly("path", &Tree::path, "Indices of the nodes from the root to the clasp.")
@@ -509,9 +494,8 @@ void bind_hang(py::module_& m) {
   py::class_<Hang> found(m, "Hang",
                          "Pose in which an object hangs in a closed hand that carries it.");
   found.def_readonly("holds", &Hang::holds, "True if the hand holds it up.")
-      .def_property_readonly(
-          "X_WO", [](const Hang& self) -> const Pose { return from_pose(self.X_WO); },
-          "(4, 4) pose in the world where it comes to rest.")
+      .def_property_readonly("X_WO", shown(&Hang::X_WO),
+                             "(4, 4) pose in the world where it comes to rest.")
       .def_readonly("drop", &Hang::drop,
                     "Distance by which the mean of its surface is lower there [m].")
       .def_readonly("swing", &Hang::swing, "Angle by which it is turned there [rad].")

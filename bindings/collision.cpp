@@ -25,9 +25,7 @@ void bind_obstacle(py::module_& m) {
            "keep from the shapes [m].")
       .def_readonly("name", &Obstacle::name, "Name in errors.")
       .def_readonly("shapes", &Obstacle::shapes, "PlacedShapes in its frame B.")
-      .def_property_readonly(
-          "X_WB", [](const Obstacle& self) -> const Pose { return from_pose(self.X_WB); },
-          "(4, 4) pose in the world.")
+      .def_property_readonly("X_WB", shown(&Obstacle::X_WB), "(4, 4) pose in the world.")
       .def_readonly("padding", &Obstacle::padding, "Distance that motions keep [m].")
       .def_property_readonly("grown_shapes", &Obstacle::grown,
                              "PlacedShapes that motions must not touch: `shapes`, grown by the "

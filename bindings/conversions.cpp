@@ -174,7 +174,7 @@ py::array_t<double> from_poses(const Poses& X) {
   return result;
 }
 
-py::array_t<double> shown_poses(const Poses& X) {
+py::array_t<double> Python<Poses>::shown(const Poses& X) {
   py::array_t<double> result = from_poses(X);
   result.attr("setflags")(py::arg("write") = false);
   return result;

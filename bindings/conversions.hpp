@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -56,7 +57,6 @@ Eigen::VectorXd to_configuration(const robot::Robot& robot, const Array& q,
 
 Pose from_pose(const Eigen::Isometry3d& X);
 py::array_t<double> from_poses(const Poses& X);                       ///< N x 4 x 4
-py::array_t<double> shown_poses(const Poses& X);                      ///< as from_poses, read-only
 Rows from_configurations(const Configurations& q, Eigen::Index dof);  ///< N x dof
 
 /// A pose argument whose default is the identity.
@@ -67,9 +67,6 @@ using Key = std::variant<std::string, int>;
 int frame_index(const robot::Robot& robot, const Key& frame, const std::string& name = "frame");
 /// `owner` is what std::invalid_argument says the bodies belong to.
 int body_index(const collision::World& world, const Key& body, const char* owner = "world");
-
-// Attributes whose arrays are copies return a const matrix, from which pybind11 makes a read-only
-// array: in one that could be changed, the change would be lost.
 
 /// How Python gives and sees a value of a plain struct; a specialization where it is not as here.
 template <class Value>
@@ -98,6 +95,66 @@ struct Python<Eigen::Isometry3d> {
   static py::arg_v arg(const char* name, const Eigen::Isometry3d&) { return pose_arg(name); }
 };
 
+/// What a getter returns. Of a const matrix, pybind11 makes a read-only array: it is a copy, and a
+/// change of it would be lost. Of another const value, it might keep a reference.
+template <class Value,
+          class Type = std::decay_t<decltype(Python<Value>::shown(std::declval<const Value&>()))>>
+using Shown = std::conditional_t<std::is_base_of_v<Eigen::EigenBase<Type>, Type>, const Type, Type>;
+
+template <class Item>
+struct Python<std::optional<Item>> {
+  using Given = std::optional<typename Python<Item>::Given>;
+  static std::optional<Item> from(const Given& value, const char* name) {
+    return value ? std::optional<Item>(Python<Item>::from(*value, name)) : std::nullopt;
+  }
+  static std::optional<Shown<Item>> shown(const std::optional<Item>& value) {
+    return value ? std::optional<Shown<Item>>(Python<Item>::shown(*value)) : std::nullopt;
+  }
+  static py::arg_v arg(const char* name, const std::optional<Item>& value) {
+    return py::arg(name) = value;
+  }
+};
+
+using MaybePose = Python<std::optional<Eigen::Isometry3d>>;
+
+// What Python cannot set: many points, poses or configurations.
+
+template <class Scalar, int Dim>
+struct Python<Eigen::Matrix<Scalar, Dim, Eigen::Dynamic>> {
+  static Eigen::Matrix<Scalar, Eigen::Dynamic, Dim, Eigen::RowMajor> shown(
+      const Eigen::Matrix<Scalar, Dim, Eigen::Dynamic>& points) {
+    return points.transpose();
+  }
+};
+
+template <>
+struct Python<Poses> {
+  static py::array_t<double> shown(const Poses& X);  ///< read-only
+};
+
+template <>
+struct Python<Configurations> {
+  static Rows shown(const Configurations& q) {
+    return from_configurations(q, q.empty() ? 0 : q.front().size());
+  }
+};
+
+/// Getter of a member, or of what a member function returns, as Python sees it.
+template <class Struct, class Member>
+auto shown(Member Struct::*member) {
+  using Value = std::decay_t<std::invoke_result_t<decltype(member), const Struct&>>;
+  return [member](const Struct& self) -> Shown<Value> {
+    return Python<Value>::shown(std::invoke(member, self));
+  };
+}
+
+/// Getter of a tuple, since appending to a copy of the list would be lost.
+template <class Struct, class Item>
+auto as_tuple(std::vector<Item> Struct::*member) {
+  using Tuple = py::typing::Tuple<Item, py::ellipsis>;
+  return [member](const Struct& self) { return Tuple(py::tuple(py::cast(self.*member))); };
+}
+
 /// A member of a plain struct, and what Python shall call and say of it.
 template <class Struct, class Value>
 struct Field {
@@ -122,11 +179,7 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
     cls.def_readwrite(field.name, field.member, field.doc.c_str());
   } else {
     cls.def_property(
-        field.name,
-        [member = field.member](const Struct& self)
-            -> std::add_const_t<std::decay_t<decltype(Type::shown(std::declval<const Value&>()))>> {
-          return Type::shown(self.*member);
-        },
+        field.name, shown(field.member),
         [field](Struct& self, const typename Type::Given& value) {
           self.*(field.member) = Type::from(value, field.name);
         },
@@ -134,14 +187,13 @@ void bind_field(py::class_<Struct>& cls, const Field<Struct, Value>& field) {
   }
 }
 
-/// A tuple, since appending to a copy of the list would be lost.
 template <class Struct, class Item>
 void bind_field(py::class_<Struct>& cls, const Field<Struct, std::vector<Item>>& field) {
-  using Tuple = py::typing::Tuple<Item, py::ellipsis>;
-  const auto member = field.member;
   cls.def_property(
-      field.name, [member](const Struct& self) { return Tuple(py::tuple(py::cast(self.*member))); },
-      [member](Struct& self, std::vector<Item> value) { self.*member = std::move(value); },
+      field.name, as_tuple(field.member),
+      [member = field.member](Struct& self, std::vector<Item> value) {
+        self.*member = std::move(value);
+      },
       field.doc.c_str());
 }
 

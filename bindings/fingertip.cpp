@@ -77,15 +77,12 @@ geometry::Mesh to_mesh(const py::object& given) {
 
 void bind_object(py::module_& m) {
   py::class_<Face>(m, "Face", "Planar face of an object.")
-      .def_property_readonly(
-          "n_O", [](const Face& self) -> const Eigen::Vector3d { return self.n_O; },
-          "(3,) unit normal in O, pointing into the object.")
-      .def_property_readonly(
-          "first_O", [](const Face& self) -> const Eigen::Vector3d { return self.first_O; },
-          "(3,) unit vector of the first grid axis, along the face, in O.")
-      .def_property_readonly(
-          "second_O", [](const Face& self) -> const Eigen::Vector3d { return self.second_O; },
-          "(3,) unit vector of the second grid axis, n_O x first_O.")
+      .def_property_readonly("n_O", shown(&Face::n_O),
+                             "(3,) unit normal in O, pointing into the object.")
+      .def_property_readonly("first_O", shown(&Face::first_O),
+                             "(3,) unit vector of the first grid axis, along the face, in O.")
+      .def_property_readonly("second_O", shown(&Face::second_O),
+                             "(3,) unit vector of the second grid axis, n_O x first_O.")
       .def_readonly("offset", &Face::offset, "n_O . p of the points p on the face [m].")
       .def_readonly("triangles", &Face::triangles,
                     "Row indices of the face's triangles in the mesh.")
@@ -150,22 +147,17 @@ void bind_object(py::module_& m) {
           py::arg("inertia_O"),
           "Returns a copy with another inertia about its centre of mass, (3, 3) in O [kg m^2].")
       .def_property_readonly("name", &Object::name, "Name in error messages and pictures.")
-      .def_property_readonly(
-          "mesh", [](const Object& self) { return self.mesh(); },
-          "Closed mesh with outward triangles, in O [m].")
+      .def_property_readonly("mesh", shown(&Object::mesh),
+                             "Closed mesh with outward triangles, in O [m].")
       .def_property_readonly("faces", &Object::faces,
                              "Faces. Coplanar neighbouring triangles form one face.")
-      .def_property_readonly(
-          "hull", [](const Object& self) -> const Rows3 { return self.hull().transpose(); },
-          "(N, 3) vertices of the convex hull, in O [m].")
+      .def_property_readonly("hull", shown(&Object::hull),
+                             "(N, 3) vertices of the convex hull, in O [m].")
       .def_property_readonly("is_convex", &Object::is_convex, "True if the object is convex.")
       .def_property_readonly("mass", &Object::mass, "Mass [kg].")
-      .def_property_readonly(
-          "com", [](const Object& self) -> const Eigen::Vector3d { return self.com(); },
-          "(3,) centre of mass in O [m].")
-      .def_property_readonly(
-          "inertia", [](const Object& self) -> const Eigen::Matrix3d { return self.inertia(); },
-          "(3, 3) inertia about the centre of mass, in O [kg m^2].")
+      .def_property_readonly("com", shown(&Object::com), "(3,) centre of mass in O [m].")
+      .def_property_readonly("inertia", shown(&Object::inertia),
+                             "(3, 3) inertia about the centre of mass, in O [kg m^2].")
       .def_property_readonly("size", &Object::size, "Diagonal of the bounding box [m].")
       .def("__repr__", [](const Object& self) {
         return "<Object '" + self.name() + "' of " + std::to_string(self.faces().size()) +
@@ -174,15 +166,14 @@ void bind_object(py::module_& m) {
 }
 
 void bind_surroundings(py::module_& m) {
-  using Friction = Python<Interval>;
+  using Friction = Python<std::optional<Interval>>;
   py::class_<Plane>(
       m, "Plane",
       "Solid half-space that the object may touch and fingertips may not: a floor or a wall.")
       .def(py::init([](const std::string& name, const Array& n_W, double offset,
-                       const std::optional<Friction::Given>& friction) {
-             Plane plane{name, to_vector3(n_W, "n_W"), offset};
-             if (friction) plane.friction = Friction::from(*friction, "friction");
-             return plane;
+                       const Friction::Given& friction) {
+             return Plane{name, to_vector3(n_W, "n_W"), offset,
+                          Friction::from(friction, "friction")};
            }),
            py::arg("name") = "floor", Python<Eigen::Vector3d>::arg("n_W", Plane{}.n_W),
            py::arg("offset") = 0.0, py::arg("friction") = py::none(),
@@ -199,16 +190,11 @@ void bind_surroundings(py::module_& m) {
            "    which all such planes share. The coefficient of a plane with its own interval\n"
            "    varies independently.")
       .def_readonly("name", &Plane::name, "Name in error messages and pictures.")
-      .def_property_readonly(
-          "n_W", [](const Plane& self) -> const Eigen::Vector3d { return self.n_W; },
-          "(3,) unit normal in the world, pointing out of the solid.")
+      .def_property_readonly("n_W", shown(&Plane::n_W),
+                             "(3,) unit normal in the world, pointing out of the solid.")
       .def_readonly("offset", &Plane::offset, "n_W . p of the points p on its surface [m].")
       .def_property_readonly(
-          "friction",
-          [](const Plane& self) {
-            using Bounds = std::optional<std::pair<double, double>>;
-            return self.friction ? Bounds(Friction::shown(*self.friction)) : Bounds();
-          },
+          "friction", shown(&Plane::friction),
           "(lower, upper) coefficient of friction with the object; None: that of the problem.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"name", "n_W", "offset", "friction"});
@@ -236,9 +222,7 @@ void bind_motion(py::module_& m) {
       "Poses that the object passes through. It moves along a screw from each pose to the next.")
       .def(py::init([](const Array& X_WO) { return Path{to_poses(X_WO, "X_WO")}; }),
            py::arg("X_WO"), "X_WO: (K, 4, 4) poses of O in the world, two or more.")
-      .def_property_readonly(
-          "X_WO", [](const Path& self) { return shown_poses(self.X_WO); },
-          "(K, 4, 4) poses of O in the world.")
+      .def_property_readonly("X_WO", shown(&Path::X_WO), "(K, 4, 4) poses of O in the world.")
       .def(
           "__len__", [](const Path& self) { return self.X_WO.size(); }, "Number of poses.")
       .def("__repr__", [](const Path& self) {
@@ -318,21 +302,16 @@ void bind_problem(py::module_& m) {
            "(lower, upper); a plane may have its own. gravity_W: (3,) acceleration of gravity in "
            "the\n"
            "world [m/s^2].")
-      .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "Object to move.")
-      .def_property_readonly(
-          "fingers", [](const Problem& self) { return self.fingers; }, "A copy of the fingers.")
+      .def_property_readonly("object", shown(&Problem::object), "Object to move.")
+      .def_property_readonly("fingers", shown(&Problem::fingers), "A copy of the fingers.")
       .def_readonly("planes", &Problem::planes, "The floor first, then walls.")
       .def_property_readonly(
-          "friction", [](const Problem& self) { return Friction::shown(self.friction); },
+          "friction", shown(&Problem::friction),
           "(lower, upper) coefficient of friction between object and planes without their own.")
-      .def_property_readonly(
-          "motion", [](const Problem& self) { return self.motion; },
-          "A Path, Lattice or Goal; a copy.")
+      .def_property_readonly("motion", shown(&Problem::motion), "A Path, Lattice or Goal; a copy.")
       .def_readonly("obstacles", &Problem::obstacles, "Obstacles in the world.")
-      .def_property_readonly(
-          "gravity_W", [](const Problem& self) -> const Eigen::Vector3d { return self.gravity_W; },
-          "(3,) acceleration of gravity in the world [m/s^2].")
+      .def_property_readonly("gravity_W", shown(&Problem::gravity_W),
+                             "(3,) acceleration of gravity in the world [m/s^2].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"object", "fingers", "planes", "friction", "motion", "obstacles"});
       });
@@ -459,12 +438,10 @@ void bind_rows(py::module_& m) {
       .def("_to_arrays", &to_arrays,
            "Returns object_poses, margins and fingers as _rows() takes them.")
       .def_readonly("name", &Segment::name, "slide, turn, tumble or regrasp.")
-      .def_property_readonly(
-          "X_WO", [](const Segment& self) { return shown_poses(self.X_WO); },
-          "(K, 4, 4) poses of the lattice in the world, first to last.")
+      .def_property_readonly("X_WO", shown(&Segment::X_WO),
+                             "(K, 4, 4) poses of the lattice in the world, first to last.")
       // Copies: a segment that keeps its rows, and is kept by them, would never be freed.
-      .def_property_readonly(
-          "rows", [](const Segment& self) { return self.rows; }, "Instants, in order.")
+      .def_property_readonly("rows", shown(&Segment::rows), "Instants, in order.")
       .def_readonly("finger", &Segment::finger,
                     "Index of the finger that regrasps; -1 for a motion of the object.")
       .def(
@@ -553,9 +530,8 @@ void bind_realization(py::module_& m) {
                                        self.positions.empty() ? 0 : self.positions.front().size());
           },
           "(N, dof) all joints [rad or m].")
-      .def_property_readonly(
-          "X_WO", [](const JointSegment& self) { return shown_poses(self.X_WO); },
-          "(N, 4, 4) pose of O in the world at each row.")
+      .def_property_readonly("X_WO", shown(&JointSegment::X_WO),
+                             "(N, 4, 4) pose of O in the world at each row.")
       .def_readonly("plan_segment", &JointSegment::plan_segment,
                     "Index of the plan's segment that it carries out, or -1.")
       .def_readonly("scrub", &JointSegment::scrub,

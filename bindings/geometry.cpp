@@ -62,9 +62,7 @@ void bind_shapes(py::module_& m) {
              return validated(Box{to_vector3(size, "box size")}, "box");
            }),
            py::arg("size"), "size: (3,) side lengths [m], each in [1e-6, 10000].")
-      .def_property_readonly(
-          "size", [](const Box& box) -> const Eigen::Vector3d { return box.size; },
-          "(3,) side lengths [m].")
+      .def_property_readonly("size", shown(&Box::size), "(3,) side lengths [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"size"}); });
 
   py::class_<Sphere>(m, "Sphere", "A sphere centred at its frame's origin.")
@@ -93,9 +91,7 @@ void bind_shapes(py::module_& m) {
              return validated(Convex{to_points3(vertices, "convex vertices")}, "convex");
            }),
            py::arg("vertices"), "vertices: (N, 3) points that span a volume [m].")
-      .def_property_readonly(
-          "vertices", [](const Convex& shape) -> const Rows3 { return shape.vertices.transpose(); },
-          "(N, 3) points [m].")
+      .def_property_readonly("vertices", shown(&Convex::vertices), "(N, 3) points [m].")
       .def("__repr__",
            [](const Convex& shape) { return count("Convex", shape.vertices.cols(), "points"); });
 
@@ -109,12 +105,9 @@ void bind_shapes(py::module_& m) {
            }),
            py::arg("vertices"), py::arg("triangles"),
            "vertices: (N, 3) [m]. triangles: (M, 3) vertex indices.")
-      .def_property_readonly(
-          "vertices", [](const Mesh& mesh) -> const Rows3 { return mesh.vertices.transpose(); },
-          "(N, 3) vertices [m].")
-      .def_property_readonly(
-          "triangles", [](const Mesh& mesh) -> const Rows3i { return mesh.triangles.transpose(); },
-          "(M, 3) vertex indices of the triangles.")
+      .def_property_readonly("vertices", shown(&Mesh::vertices), "(N, 3) vertices [m].")
+      .def_property_readonly("triangles", shown(&Mesh::triangles),
+                             "(M, 3) vertex indices of the triangles.")
       .def("__repr__",
            [](const Mesh& mesh) { return count("Mesh", mesh.triangles.cols(), "triangles"); });
 
@@ -125,9 +118,8 @@ void bind_shapes(py::module_& m) {
            py::arg("shape"), pose_arg("X_BG"),
            "shape: Box, Sphere, Capsule, Convex or Mesh. X_BG: (4, 4) pose of its frame G in B.")
       .def_readonly("shape", &PlacedShape::shape, "Box, Sphere, Capsule, Convex or Mesh.")
-      .def_property_readonly(
-          "X_BG", [](const PlacedShape& placed) -> const Pose { return from_pose(placed.X_BG); },
-          "(4, 4) pose of the shape's frame G in B.")
+      .def_property_readonly("X_BG", shown(&PlacedShape::X_BG),
+                             "(4, 4) pose of the shape's frame G in B.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shape", "X_BG"});
       });
@@ -166,15 +158,10 @@ void bind_polygon(py::module_& m) {
       "A simple polygon in the plane with counter-clockwise vertices, convex or not.");
   py::class_<Polygon::Edge>(m, "Edge", "An edge of a polygon.")
       .def_readonly("index", &Polygon::Edge::index, "Index of its first vertex.")
-      .def_property_readonly(
-          "a", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.a; },
-          "(2,) first end point [m].")
-      .def_property_readonly(
-          "b", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.b; },
-          "(2,) second end point [m].")
-      .def_property_readonly(
-          "inward", [](const Polygon::Edge& edge) -> const Eigen::Vector2d { return edge.inward; },
-          "(2,) unit normal pointing inside.")
+      .def_property_readonly("a", shown(&Polygon::Edge::a), "(2,) first end point [m].")
+      .def_property_readonly("b", shown(&Polygon::Edge::b), "(2,) second end point [m].")
+      .def_property_readonly("inward", shown(&Polygon::Edge::inward),
+                             "(2,) unit normal pointing inside.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"index", "a", "b", "inward"});
       });
@@ -188,10 +175,8 @@ void bind_polygon(py::module_& m) {
           "messages.\n\n"
           "Raises ValueError on fewer than three vertices, a value that is not finite, a repeated\n"
           "vertex, or a boundary that crosses or touches itself.")
-      .def_property_readonly(
-          "vertices",
-          [](const Polygon& self) -> const Rows2 { return self.vertices().transpose(); },
-          "(N, 2) vertices, counter-clockwise [m].")
+      .def_property_readonly("vertices", shown(&Polygon::vertices),
+                             "(N, 2) vertices, counter-clockwise [m].")
       .def("__len__", &Polygon::size, "Number of vertices.")
       .def_property_readonly("area", &Polygon::area, "Area [m^2], positive.")
       .def_property_readonly("centroid", &Polygon::centroid, "(2,) centroid of the area [m].")
@@ -286,18 +271,11 @@ void bind_complex(py::module_& m) {
                       "Simplicial complex K_d of a cloud: the edges and triangles of its Delaunay "
                       "triangulation\nwith all edges shorter than d (Stork, Pokorny, Kragic 2013, "
                       "Section IV-A).")
+      .def_property_readonly("points", shown(&Complex::points), "(N, 3) vertices [m].")
+      .def_property_readonly("edges", shown(&Complex::edges),
+                             "(E, 2) point indices, the smaller first; sorted.")
       .def_property_readonly(
-          "points", [](const Complex& self) -> const Rows3 { return self.points.transpose(); },
-          "(N, 3) vertices [m].")
-      .def_property_readonly(
-          "edges",
-          [](const Complex& self) -> const Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> {
-            return self.edges.transpose();
-          },
-          "(E, 2) point indices, the smaller first; sorted.")
-      .def_property_readonly(
-          "triangles",
-          [](const Complex& self) -> const Rows3i { return self.triangles.transpose(); },
+          "triangles", shown(&Complex::triangles),
           "(T, 3) point indices, ascending; sorted. Includes triangles inside the object.")
       .def_readonly("max_edge_length", &Complex::max_edge_length, "d [m].")
       .def("__repr__", [](const Complex& self) {
@@ -310,12 +288,10 @@ void bind_complex(py::module_& m) {
                          "Number of independent loops of K_d as a step function of d.\n\n"
                          "It is loops[i] for d in (max_edge_length[i], max_edge_length[i + 1]], "
                          "and 0 below.")
-      .def_property_readonly(
-          "max_edge_length", [](const BettiCurve& self) { return self.max_edge_length; },
-          "Values of d where the number changes, ascending [m].")
-      .def_property_readonly(
-          "loops", [](const BettiCurve& self) { return self.loops; },
-          "Number of loops above each value.")
+      .def_property_readonly("max_edge_length", shown(&BettiCurve::max_edge_length),
+                             "Values of d where the number changes, ascending [m].")
+      .def_property_readonly("loops", shown(&BettiCurve::loops),
+                             "Number of loops above each value.")
       .def("__repr__", [](const BettiCurve& self) {
         return "<BettiCurve of " + std::to_string(self.loops.size()) + " steps>";
       });
@@ -344,9 +320,7 @@ void bind_complex(py::module_& m) {
            "points: (N, 3) [m]; equal points count once. what: name used in error messages.\n\n"
            "Raises ValueError if there are fewer than 4 distinct points, if one is not finite, or "
            "if\nall lie in a plane.")
-      .def_property_readonly(
-          "points", [](const Filtration& self) -> const Rows3 { return self.points().transpose(); },
-          "(N, 3) input points [m].")
+      .def_property_readonly("points", shown(&Filtration::points), "(N, 3) input points [m].")
       .def_property_readonly("num_vertices", &Filtration::num_vertices,
                              "Number of distinct points.")
       .def("complex", &Filtration::complex, py::arg("max_edge_length"),
@@ -455,7 +429,7 @@ void bind_ray_image(py::module_& m) {
                   "[pixels]. X_OC: (4, 4) pose of the optical frame in the frame of the object's "
                   "points, z forward.")
       .def_property_readonly(
-          "ends", [](const RayImage& self) -> const Ends { return self.ends; },
+          "ends", shown(&RayImage::ends),
           "(H, W) depths of the ends [m], float32. Negative: on the object; infinite: passes; 0: "
           "unknown.")
       .def_property_readonly(
@@ -466,11 +440,9 @@ void bind_ray_image(py::module_& m) {
           },
           "(H, W) depths up to which rays of unknown end met nothing [m], float32; 0: nobody "
           "knows.")
+      .def_property_readonly("K", shown(&RayImage::K), "(3, 3) camera matrix [pixels].")
       .def_property_readonly(
-          "K", [](const RayImage& self) -> const Eigen::Matrix3d { return self.K; },
-          "(3, 3) camera matrix [pixels].")
-      .def_property_readonly(
-          "X_OC", [](const RayImage& self) -> const Pose { return from_pose(self.X_OC); },
+          "X_OC", shown(&RayImage::X_OC),
           "(4, 4) pose of the optical frame in the frame of the object's points.")
       .def("__repr__", [](const RayImage& self) {
         return "<RayImage of " + std::to_string(self.ends.cols()) + " x " +
@@ -541,11 +513,9 @@ void bind_height_map(py::module_& m) {
           "the plane.\n\nRaises ValueError unless "
           "there are 1 to 10^6 cells of at least 1e-4 m, none with a negative height and one with "
           "a height of at least 1e-6 m.")
-      .def_property_readonly(
-          "corner", [](const HeightMap& self) -> const Eigen::Vector2d { return self.corner; },
-          "(2,) least x and y of the first cell [m].")
-      .def_property_readonly(
-          "cell", [](const HeightMap& self) { return self.cell; }, "Side of a cell [m].")
+      .def_property_readonly("corner", shown(&HeightMap::corner),
+                             "(2,) least x and y of the first cell [m].")
+      .def_property_readonly("cell", shown(&HeightMap::cell), "Side of a cell [m].")
       .def_property_readonly(
           "heights", [](const HeightMap& self) -> const HeightRows { return self.heights; },
           "(nx, ny) heights [m].")
@@ -606,12 +576,10 @@ ValueError
 void bind_loops(py::module_& m) {
   py::class_<Loop>(m, "Loop",
                    "A closed polyline on a cloud: an element of a shortest basis of H_1(K_d).")
-      .def_property_readonly(
-          "points", [](const Loop& self) -> const Rows3 { return self.points.transpose(); },
-          "(K, 3) corners in order [m]; the last connects to the first.")
-      .def_property_readonly(
-          "vertices", [](const Loop& self) { return self.vertices; },
-          "Indices of the corners in the input cloud.")
+      .def_property_readonly("points", shown(&Loop::points),
+                             "(K, 3) corners in order [m]; the last connects to the first.")
+      .def_property_readonly("vertices", shown(&Loop::vertices),
+                             "Indices of the corners in the input cloud.")
       .def_readonly("length", &Loop::length, "Length of the closed polyline [m].")
       .def_readonly("birth", &Loop::birth, "The loop exists in K_d for d above this value [m].")
       .def_readonly(
@@ -687,15 +655,11 @@ void bind_loops(py::module_& m) {
   py::class_<Loops>(m, "Loops", "Result of shortest_loops().")
       .def_readonly("status", &Loops::status, "Outcome of the search.")
       .def_readonly("reason", &Loops::reason, "Explanation of the status in one sentence.")
-      .def_property_readonly(
-          "found", [](const Loops& self) { return self.found; },
-          "Loops of the holes, shortest first.")
-      .def_property_readonly(
-          "uncertain", [](const Loops& self) { return self.uncertain; },
-          "Loops that may be holes, each with a reason; shortest first.")
-      .def_property_readonly(
-          "meridians", [](const Loops& self) { return self.meridians; },
-          "Discarded loops: they run around a thick handle, not along it.")
+      .def_property_readonly("found", shown(&Loops::found), "Loops of the holes, shortest first.")
+      .def_property_readonly("uncertain", shown(&Loops::uncertain),
+                             "Loops that may be holes, each with a reason; shortest first.")
+      .def_property_readonly("meridians", shown(&Loops::meridians),
+                             "Discarded loops: they run around a thick handle, not along it.")
       .def_readonly("has_rays", &Loops::has_rays,
                     "True if rays of cameras decided which loops are holes.")
       .def_readonly("noise", &Loops::noise,
@@ -710,9 +674,8 @@ void bind_loops(py::module_& m) {
           "plateau", &Loops::plateau,
           "Values of d at which the holes of `complex` exist; zero if max_edge_length was\n"
           "given.")
-      .def_property_readonly(
-          "warnings", [](const Loops& self) { return self.warnings; },
-          "Warnings about the cloud and the result.")
+      .def_property_readonly("warnings", shown(&Loops::warnings),
+                             "Warnings about the cloud and the result.")
       .def("__repr__", [](const Loops& self) { return "<Loops: " + self.reason + ">"; });
 
   py::class_<ClaspTarget> target(m, "ClaspTarget",
@@ -814,10 +777,8 @@ void bind_linking(py::module_& m) {
       .def_readonly("value", &VirtualLinking::value, "VLk of eq. (2), signed.")
       .def_readonly("linking_number", &VirtualLinking::linking_number,
                     "Linking number of the loop and the curve closed by its chord.")
-      .def_property_readonly(
-          "gradient",
-          [](const VirtualLinking& self) -> const Rows3 { return self.gradient.transpose(); },
-          "(K, 3) gradient with respect to the corners of the curve [1/m].")
+      .def_property_readonly("gradient", shown(&VirtualLinking::gradient),
+                             "(K, 3) gradient with respect to the corners of the curve [1/m].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"value", "linking_number"});
       });
@@ -828,10 +789,7 @@ void bind_linking(py::module_& m) {
            py::arg("loop"),
            "loop: a Loop, or its corners (K, 3) [m].\n\nRaises ValueError if it has fewer than 3 "
            "corners or is not finite.")
-      .def_property_readonly(
-          "points",
-          [](const PreparedLoop& self) -> const Rows3 { return self.points().transpose(); },
-          "(K, 3) corners [m].")
+      .def_property_readonly("points", shown(&PreparedLoop::points), "(K, 3) corners [m].")
       .def(
           "gauss_linking",
           [](const PreparedLoop& self, const std::vector<Array>& curves, bool are_closed) {

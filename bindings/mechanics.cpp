@@ -669,14 +669,10 @@ void bind_equilibrium(py::module_& m) {
            "------\n"
            "ValueError\n"
            "    An array has another shape.")
-      .def_property_readonly(
-          "contact_forces_O",
-          [](const Equilibrium& self) -> const Rows3 { return self.contact_forces_O.transpose(); },
-          "(m, 3) force on the object at each contact, in O [N].")
-      .def_property_readonly(
-          "finger_forces_O",
-          [](const Equilibrium& self) -> const Rows3 { return self.finger_forces_O.transpose(); },
-          "(n, 3) force on the object at each finger, in O [N].")
+      .def_property_readonly("contact_forces_O", shown(&Equilibrium::contact_forces_O),
+                             "(m, 3) force on the object at each contact, in O [N].")
+      .def_property_readonly("finger_forces_O", shown(&Equilibrium::finger_forces_O),
+                             "(n, 3) force on the object at each finger, in O [N].")
       .def_readonly("margin", &Equilibrium::margin,
                     "Largest t such that all cone coefficients are at least t, and fingers in "
                     "position control\n"

@@ -38,9 +38,7 @@ void bind_camera(py::module_& m) {
           "that of a pinhole camera of this size.")
       .def_readonly("width", &Camera::width, "Number of columns.")
       .def_readonly("height", &Camera::height, "Number of rows.")
-      .def_property_readonly(
-          "K", [](const Camera& self) -> const Eigen::Matrix3d { return self.K; },
-          "(3, 3) camera matrix [pixels].")
+      .def_property_readonly("K", shown(&Camera::K), "(3, 3) camera matrix [pixels].")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"width", "height", "K"});
       });
@@ -54,9 +52,7 @@ void bind_rendering(py::module_& m) {
            py::arg("shapes"), pose_arg("X_WB"),
            "shapes: PlacedShapes in the body's frame B. X_WB: (4, 4) pose in the world.")
       .def_readonly("shapes", &Body::shapes, "PlacedShapes in the body's frame B.")
-      .def_property_readonly(
-          "X_WB", [](const Body& self) -> const Pose { return from_pose(self.X_WB); },
-          "(4, 4) pose in the world.")
+      .def_property_readonly("X_WB", shown(&Body::X_WB), "(4, 4) pose in the world.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"shapes", "X_WB"});
       });
@@ -128,15 +124,10 @@ void bind_view(py::module_& m) {
           "depth: (H, W) depths along the optical axis [m]; 0 or not finite: none. K: (3, 3) "
           "camera matrix [pixels]. X_WC: (4, 4) pose of the optical frame in the world, z "
           "forward.")
-      .def_property_readonly(
-          "depth", [](const View& self) -> const DepthImage { return self.depth; },
-          "(H, W) depths [m], float32.")
-      .def_property_readonly(
-          "K", [](const View& self) -> const Eigen::Matrix3d { return self.K; },
-          "(3, 3) camera matrix [pixels].")
-      .def_property_readonly(
-          "X_WC", [](const View& self) -> const Pose { return from_pose(self.X_WC); },
-          "(4, 4) pose of the optical frame in the world.")
+      .def_property_readonly("depth", shown(&View::depth), "(H, W) depths [m], float32.")
+      .def_property_readonly("K", shown(&View::K), "(3, 3) camera matrix [pixels].")
+      .def_property_readonly("X_WC", shown(&View::X_WC),
+                             "(4, 4) pose of the optical frame in the world.")
       .def("__repr__", [](const View& self) {
         return "<View of " + std::to_string(self.depth.cols()) + " x " +
                std::to_string(self.depth.rows()) + " pixels>";
@@ -180,16 +171,9 @@ void bind_support(py::module_& m) {
       .def_property_readonly(
           "polygon", [](const Support& self) -> const Rows2 { return from_ring(self.polygon); },
           "(N, 2) corners in S [m], counter-clockwise.")
-      .def_property_readonly(
-          "edges",
-          [](const Support& self) {
-            using Tuple = py::typing::Tuple<EdgeLabel, py::ellipsis>;
-            return Tuple(py::tuple(py::cast(self.edges)));
-          },
-          "Label of each edge: edge i runs from corner i to the next.")
-      .def_property_readonly(
-          "X_WS", [](const Support& self) -> const Pose { return from_pose(self.X_WS); },
-          "(4, 4) pose in the world.")
+      .def_property_readonly("edges", as_tuple(&Support::edges),
+                             "Label of each edge: edge i runs from corner i to the next.")
+      .def_property_readonly("X_WS", shown(&Support::X_WS), "(4, 4) pose in the world.")
       .def_readonly("height_error", &Support::height_error,
                     "Standard error of the plane's height at its centre [m].")
       .def_readonly("angle_error", &Support::angle_error, "Standard error of its tilt [rad].")
@@ -241,9 +225,7 @@ void bind_seen_object(py::module_& m) {
       .def_property_readonly(
           "outline", [](const Object& self) -> const Rows2 { return from_ring(self.outline); },
           "(N, 2) corners of the projection of what was seen onto the support, in O [m].")
-      .def_property_readonly(
-          "X_WO", [](const Object& self) -> const Pose { return from_pose(self.X_WO); },
-          "(4, 4) pose in the world.")
+      .def_property_readonly("X_WO", shown(&Object::X_WO), "(4, 4) pose in the world.")
       .def_readonly("thickness", &Object::thickness, "Height of the top above the support [m].")
       .def_readonly("thickness_error", &Object::thickness_error,
                     "Standard error of the thickness [m].")
@@ -252,26 +234,16 @@ void bind_seen_object(py::module_& m) {
       .def_readonly("position_error", &Object::position_error,
                     "Standard error of the outline's position along the support [m].")
       .def_readonly("yaw_error", &Object::yaw_error, "Standard error of the direction of x [rad].")
+      .def_property_readonly("points", shown(&Object::points),
+                             "(N, 3) points of all pixels of the object, in O [m].")
       .def_property_readonly(
-          "points", [](const Object& self) -> const Rows3 { return self.points.transpose(); },
-          "(N, 3) points of all pixels of the object, in O [m].")
-      .def_property_readonly(
-          "rays",
-          [](const Object& self) {
-            using Tuple = py::typing::Tuple<geometry::RayImage, py::ellipsis>;
-            return Tuple(py::tuple(py::cast(self.rays)));
-          },
+          "rays", as_tuple(&Object::rays),
           "Rays of each camera that saw it, around it, in O. They tell holes from rims and from\n"
           "edges of what was seen.")
       .def_readonly("touches_border", &Object::touches_border,
                     "True if the image cuts the object off.")
-      .def_property_readonly(
-          "warnings",
-          [](const Object& self) {
-            using Tuple = py::typing::Tuple<py::str, py::ellipsis>;
-            return Tuple(py::tuple(py::cast(self.warnings)));
-          },
-          "Reasons to doubt the outline, one sentence each.")
+      .def_property_readonly("warnings", as_tuple(&Object::warnings),
+                             "Reasons to doubt the outline, one sentence each.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"name", "support", "thickness", "thickness_error", "is_flat"});
       });
@@ -290,14 +262,6 @@ void bind_seen_object(py::module_& m) {
           [](const Unseen& self) -> const Rows3 { return self.shape.vertices.transpose(); },
           "(N, 3) corners of a convex hull in the world [m].")
       .def("__repr__", [](const py::object& self) { return represent(self, {"behind"}); });
-}
-
-template <class Item>
-void bind_items(py::class_<Scene>& cls, const char* name, std::vector<Item> Scene::*member,
-                const char* doc) {
-  using Tuple = py::typing::Tuple<Item, py::ellipsis>;
-  cls.def_property_readonly(
-      name, [member](const Scene& self) { return Tuple(py::tuple(py::cast(self.*member))); }, doc);
 }
 
 void bind_scene_class(py::module_& m) {
@@ -319,21 +283,24 @@ void bind_scene_class(py::module_& m) {
           py::arg("objects"), py::arg("unseen"), py::arg("warnings"),
           py::arg("stamp") = std::nullopt, "Any field by keyword.");
   bind_pickling(cls, {"status", "reason", "supports", "objects", "unseen", "warnings", "stamp"});
-  cls.def_readonly("status", &Scene::status, "Outcome.");
-  cls.def_readonly("reason", &Scene::reason,
-                   "Result, or the reason why there is none and what to do; one sentence or two.");
-  bind_items(cls, "supports", &Scene::supports, "Supports, from the largest to the smallest.");
-  bind_items(cls, "objects", &Scene::objects, "Objects, the nearest to the first camera first.");
-  bind_items(cls, "unseen", &Scene::unseen, "Space that no ray reached.");
-  bind_items(cls, "warnings", &Scene::warnings, "Doubts about what was found, one sentence each.");
-  cls.def_readwrite("stamp", &Scene::stamp,
-                    "Time at which the images were taken [s since 1970]; None if unknown.");
-  cls.def(
-      "__bool__", [](const Scene& self) { return static_cast<bool>(self); },
-      "True if at least one support was found.");
-  cls.def("__repr__", [](const py::object& self) {
-    return represent(self, {"status", "reason", "supports", "objects"});
-  });
+  cls.def_readonly("status", &Scene::status, "Outcome.")
+      .def_readonly("reason", &Scene::reason,
+                    "Result, or the reason why there is none and what to do; one sentence or two.")
+      .def_property_readonly("supports", as_tuple(&Scene::supports),
+                             "Supports, from the largest to the smallest.")
+      .def_property_readonly("objects", as_tuple(&Scene::objects),
+                             "Objects, the nearest to the first camera first.")
+      .def_property_readonly("unseen", as_tuple(&Scene::unseen), "Space that no ray reached.")
+      .def_property_readonly("warnings", as_tuple(&Scene::warnings),
+                             "Doubts about what was found, one sentence each.")
+      .def_readwrite("stamp", &Scene::stamp,
+                     "Time at which the images were taken [s since 1970]; None if unknown.")
+      .def(
+          "__bool__", [](const Scene& self) { return static_cast<bool>(self); },
+          "True if at least one support was found.")
+      .def("__repr__", [](const py::object& self) {
+        return represent(self, {"status", "reason", "supports", "objects"});
+      });
   m.def(
       "perceive",
       [](const std::vector<View>& views, const Options& options) {

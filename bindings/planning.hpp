@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include <pybind11/pybind11.h>
-
 #include "graspless/planning/budget.hpp"
+
+#include "conversions.hpp"
 
 namespace graspless::bindings {
 
@@ -27,7 +27,6 @@ struct StoppableBudget {
 /// returned.
 template <class Query>
 auto run_interruptibly(const StoppableBudget& given, const Query& query) {
-  namespace py = pybind11;
   std::optional<py::error_already_set> raised;
   planning::Budget budget;
   budget.seconds = given.seconds;
@@ -51,9 +50,7 @@ auto run_interruptibly(const StoppableBudget& given, const Query& query) {
 /// problem and of options, plan() and check(). The planner gives the first sentences of the
 /// docstrings of plan() and check().
 template <class Problem, class Options, class Plan>
-void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
-                     const std::string& check_doc) {
-  namespace py = pybind11;
+void bind_front_door(py::module_& m, const std::string& plan_doc, const std::string& check_doc) {
   const py::arg_v default_options("options", Options{}, "Options()");
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
   m.def(
@@ -92,8 +89,7 @@ void bind_front_door(pybind11::module_& m, const std::string& plan_doc,
 
 /// Binds certify(), which the planners of joint paths have; `proven` says what it proves.
 template <class Problem, class Options, class Plan>
-void bind_certify(pybind11::module_& m, const std::string& proven) {
-  namespace py = pybind11;
+void bind_certify(py::module_& m, const std::string& proven) {
   m.def(
       "certify",
       [](const Problem& problem, const Plan& plan, const Options& options) {

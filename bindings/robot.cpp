@@ -70,23 +70,17 @@ void bind_tables(py::class_<Robot>& cls) {
       .def_property_readonly("dof", &Robot::dof, "Number of independent joints.")
       .def_property_readonly("joint_names", &Robot::joint_names,
                              "Independent joints, in the order of q.")
+      .def_property_readonly("lower", shown(&Robot::lower),
+                             "(dof,) lower limits [rad or m]; a continuous joint has -pi.")
+      .def_property_readonly("upper", shown(&Robot::upper),
+                             "(dof,) upper limits [rad or m]; a continuous joint has pi.")
       .def_property_readonly(
-          "lower", [](const Robot& self) -> const Eigen::VectorXd { return self.lower(); },
-          "(dof,) lower limits [rad or m]; a continuous joint has -pi.")
-      .def_property_readonly(
-          "upper", [](const Robot& self) -> const Eigen::VectorXd { return self.upper(); },
-          "(dof,) upper limits [rad or m]; a continuous joint has pi.")
-      .def_property_readonly(
-          "max_velocity",
-          [](const Robot& self) -> const Eigen::VectorXd { return self.max_velocity(); },
+          "max_velocity", shown(&Robot::max_velocity),
           "(dof,) largest velocities [rad/s or m/s]; inf if the URDF has none, or 0.")
-      .def_property_readonly(
-          "max_effort",
-          [](const Robot& self) -> const Eigen::VectorXd { return self.max_effort(); },
-          "(dof,) largest efforts [Nm or N]; inf if the URDF has none, or 0.")
-      .def_property_readonly(
-          "X_WB", [](const Robot& self) -> const Pose { return from_pose(self.X_WB()); },
-          "(4, 4) pose of the root link in the world.")
+      .def_property_readonly("max_effort", shown(&Robot::max_effort),
+                             "(dof,) largest efforts [Nm or N]; inf if the URDF has none, or 0.")
+      .def_property_readonly("X_WB", shown(&Robot::X_WB),
+                             "(4, 4) pose of the root link in the world.")
       .def_property_readonly("urdf", &Robot::urdf, "URDF text that the robot was read from.")
       .def_property_readonly(
           "srdf", [](const Robot& self) { return self.options().srdf; },
@@ -107,8 +101,7 @@ void bind_tables(py::class_<Robot>& cls) {
           "Parts of URDF and SRDF that were ignored or changed, one sentence each: for instance\n"
           "links without a collision shape, or an entry of the SRDF that names an unknown link.")
       .def_property_readonly(
-          "step_weights",
-          [](const Robot& self) -> const Eigen::VectorXd { return self.step_weights(); },
+          "step_weights", shown(&Robot::step_weights),
           "(dof,) factors of the joints in the length of a step: 1 for a revolute joint, 10 rad/m "
           "for a prismatic one.")
       .def("frame", &Robot::frame, py::arg("name"),

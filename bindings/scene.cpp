@@ -94,7 +94,7 @@ void bind_queries(py::class_<Scene>& cls) {
           "Returns the names of the first pair that touches at q, (dof,), or None. Joint limits "
           "are not checked.")
       .def_property_readonly(
-          "poses", [](const Scene& self) { return shown_poses(self.poses()); },
+          "poses", shown(&Scene::poses),
           "(num_frames, 4, 4) link poses in the world at the configuration checked last.");
 }
 
@@ -164,8 +164,7 @@ void bind_scene(py::module_ m) {
       .def(
           "__copy__", [](const Scene& self) { return Scene(self); },
           "Returns a copy that shares the shapes.")
-      .def_property_readonly(
-          "robot", [](const Scene& self) { return self.robot(); }, "Robot of the scene.")
+      .def_property_readonly("robot", shown(&Scene::robot), "Robot of the scene.")
       .def_property_readonly("world", py::overload_cast<>(&Scene::world),
                              py::return_value_policy::reference_internal,
                              "World that holds the scene's bodies.")

@@ -39,9 +39,8 @@ void bind_motion_segment(pybind11::module_& m, const char* names) {
                                        self.positions.empty() ? 0 : self.positions.front().size());
           },
           "(N, dof) all joints [rad or m].")
-      .def_property_readonly(
-          "object_poses", [](const Segment& self) { return shown_poses(self.object_poses); },
-          "(N, 4, 4) pose of the object in the world at each row.")
+      .def_property_readonly("object_poses", shown(&Segment::object_poses),
+                             "(N, 4, 4) pose of the object in the world at each row.")
       .def(
           "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
       .def("__repr__", [](const Segment& self) {

@@ -70,11 +70,9 @@ void bind_object(py::module_& m) {
           "Raises ValueError if there are fewer than three points, if they are not finite or lie "
           "on a line, or if the object is not thin.")
       .def_property_readonly("name", &Object::name, "Name in errors and pictures.")
-      .def_property_readonly(
-          "points", [](const Object& self) -> const Rows2 { return self.points().transpose(); },
-          "(N, 2) contact points, x-y in O [m].")
-      .def_property_readonly(
-          "outline", [](const Object& self) { return self.outline(); }, "Polygon in O [m].")
+      .def_property_readonly("points", shown(&Object::points),
+                             "(N, 2) contact points, x-y in O [m].")
+      .def_property_readonly("outline", shown(&Object::outline), "Polygon in O [m].")
       .def_property_readonly("is_thin", &Object::is_thin,
                              "True if the thickness is at most three quarters of the least width.")
       .def_property_readonly("thickness", &Object::thickness,
@@ -83,9 +81,7 @@ void bind_object(py::module_& m) {
           "top", &Object::top,
           "Height of the face on which a finger presses [m]: the thickness of a prism, or that of "
           "the level part of the heights that has the most points.")
-      .def_property_readonly(
-          "com", [](const Object& self) -> const Eigen::Vector3d { return self.com(); },
-          "(3,) centre of mass in O [m].")
+      .def_property_readonly("com", shown(&Object::com), "(3,) centre of mass in O [m].")
       .def_property_readonly("mass", &Object::mass, "Mass [kg]; 0.05 by default.")
       .def_property_readonly(
           "shapes", &Object::shapes,
@@ -101,9 +97,8 @@ void bind_object(py::module_& m) {
           "the object: beside the convex hull of its outline, below 0 or above the thickness.")
       .def("with_mass", &Object::with_mass, py::arg("mass"),
            "Returns a copy with another mass [kg].")
-      .def_property_readonly(
-          "heights", [](const Object& self) { return self.heights(); },
-          "geometry.HeightMap of the object in O; None if it is a prism.")
+      .def_property_readonly("heights", shown(&Object::heights),
+                             "geometry.HeightMap of the object in O; None if it is a prism.")
       .def("with_heights", &Object::with_heights, py::arg("heights_O"),
            "Returns a copy that is as high as a geometry.HeightMap in O, and no longer a prism."
            "\n\nRaises ValueError if the map is higher than the thickness.")
@@ -150,15 +145,11 @@ void bind_support(py::module_& m) {
            "default "
            "all. Edge i runs from vertex i to the next, counter-clockwise.\n\nRaises ValueError "
            "that names the argument.")
-      .def_property_readonly(
-          "polygon", [](const Support& self) { return self.polygon(); },
-          "Polygon of the surface in S [m]: Q of the paper.")
-      .def_property_readonly(
-          "goal_band", [](const Support& self) { return self.goal_band(); },
-          "Band of the polygon where slides may end, in S: P_g of the paper.")
-      .def_property_readonly(
-          "X_WS", [](const Support& self) -> const Pose { return from_pose(self.X_WS()); },
-          "(4, 4) pose in the world.")
+      .def_property_readonly("polygon", shown(&Support::polygon),
+                             "Polygon of the surface in S [m]: Q of the paper.")
+      .def_property_readonly("goal_band", shown(&Support::goal_band),
+                             "Band of the polygon where slides may end, in S: P_g of the paper.")
+      .def_property_readonly("X_WS", shown(&Support::X_WS), "(4, 4) pose in the world.")
       .def_property_readonly("slab", &Support::slab, "Thickness of the table top [m].")
       .def_property_readonly("friction", &Support::friction,
                              "Coefficient of friction between object and support.")
@@ -197,15 +188,14 @@ void bind_problem(py::module_& m) {
                        const Support& support, const Array& X_WO_start, const Array& q_home,
                        const std::vector<Obstacle>& obstacles,
                        const std::optional<Array>& X_WO_end) {
-             Problem problem{robot,
-                             hand,
-                             object,
-                             support,
-                             to_pose(X_WO_start, "X_WO_start"),
-                             obstacles,
-                             to_configuration(robot, q_home, "q_home")};
-             if (X_WO_end) problem.X_WO_end = to_pose(*X_WO_end, "X_WO_end");
-             return problem;
+             return Problem{robot,
+                            hand,
+                            object,
+                            support,
+                            to_pose(X_WO_start, "X_WO_start"),
+                            obstacles,
+                            to_configuration(robot, q_home, "q_home"),
+                            MaybePose::from(X_WO_end, "X_WO_end")};
            }),
            py::arg("robot"), py::arg("hand"), py::arg("object"), py::arg("support"),
            py::arg("X_WO_start"), py::arg("q_home"), py::arg("obstacles") = std::vector<Obstacle>{},
@@ -214,29 +204,18 @@ void bind_problem(py::module_& m) {
            "configuration at the start [rad or m]. obstacles: bodies that neither arm nor object "
            "may touch. X_WO_end: (4, 4) pose at which the object is left, flat on the support; by "
            "default it is grasped over an edge.")
+      .def_property_readonly("robot", shown(&Problem::robot), "Robot that moves.")
+      .def_property_readonly("hand", shown(&Problem::hand), "Hand of the robot; a copy.")
+      .def_property_readonly("object", shown(&Problem::object), "Thin object to slide.")
+      .def_property_readonly("support", shown(&Problem::support),
+                             "Surface that the object lies on.")
+      .def_property_readonly("X_WO_start", shown(&Problem::X_WO_start),
+                             "(4, 4) pose of the object in the world.")
       .def_property_readonly(
-          "robot", [](const Problem& self) { return self.robot; }, "Robot that moves.")
-      .def_property_readonly(
-          "hand", [](const Problem& self) { return self.hand; }, "Hand of the robot; a copy.")
-      .def_property_readonly(
-          "object", [](const Problem& self) { return self.object; }, "Thin object to slide.")
-      .def_property_readonly(
-          "support", [](const Problem& self) { return self.support; },
-          "Surface that the object lies on.")
-      .def_property_readonly(
-          "X_WO_start",
-          [](const Problem& self) -> const Pose { return from_pose(self.X_WO_start); },
-          "(4, 4) pose of the object in the world.")
-      .def_property_readonly(
-          "X_WO_end",
-          [](const Problem& self) -> std::optional<const Pose> {
-            if (!self.X_WO_end) return std::nullopt;
-            return from_pose(*self.X_WO_end);
-          },
+          "X_WO_end", shown(&Problem::X_WO_end),
           "(4, 4) pose in the world at which the object is left; None: it is grasped.")
-      .def_property_readonly(
-          "q_home", [](const Problem& self) -> const Eigen::VectorXd { return self.q_home; },
-          "(dof,) configuration at the start [rad or m].")
+      .def_property_readonly("q_home", shown(&Problem::q_home),
+                             "(dof,) configuration at the start [rad or m].")
       .def_readonly("obstacles", &Problem::obstacles,
                     "Bodies that neither the arm nor the sliding object may touch.")
       .def("__repr__", [](const py::object& self) {
@@ -294,25 +273,17 @@ void bind_interruption(py::module_& m) {
       m, "Interruption",
       "State in which a slide was interrupted, with the finger pressed on the object.")
       .def(py::init([](const Array& q, const Array& X_WO, const std::optional<Array>& X_WO_goal) {
-             Interruption at{to_vector(q, "q"), to_pose(X_WO, "X_WO"), std::nullopt};
-             if (X_WO_goal) at.X_WO_goal = to_pose(*X_WO_goal, "X_WO_goal");
-             return at;
+             return Interruption{to_vector(q, "q"), to_pose(X_WO, "X_WO"),
+                                 MaybePose::from(X_WO_goal, "X_WO_goal")};
            }),
            py::arg("q"), py::arg("X_WO"), py::arg("X_WO_goal") = py::none(),
            "q: (dof,) commanded joints [rad or m]. X_WO: (4, 4) measured pose of the object in the "
            "world. X_WO_goal: (4, 4) pose at the goal of the plan that was interrupted.")
+      .def_property_readonly("q", shown(&Interruption::q), "(dof,) commanded joints [rad or m].")
+      .def_property_readonly("X_WO", shown(&Interruption::X_WO),
+                             "(4, 4) measured pose of the object in the world.")
       .def_property_readonly(
-          "q", [](const Interruption& self) -> const Eigen::VectorXd { return self.q; },
-          "(dof,) commanded joints [rad or m].")
-      .def_property_readonly(
-          "X_WO", [](const Interruption& self) -> const Pose { return from_pose(self.X_WO); },
-          "(4, 4) measured pose of the object in the world.")
-      .def_property_readonly(
-          "X_WO_goal",
-          [](const Interruption& self) -> std::optional<const Pose> {
-            if (!self.X_WO_goal) return std::nullopt;
-            return from_pose(*self.X_WO_goal);
-          },
+          "X_WO_goal", shown(&Interruption::X_WO_goal),
           "(4, 4) pose of the object at the goal of the plan that was interrupted, or None.")
       .def("__repr__", [](const py::object& self) {
         return represent(self, {"q", "X_WO", "X_WO_goal"});
