@@ -11,6 +11,7 @@
 #include "conversions.hpp"
 #include "fields.hpp"
 #include "planning.hpp"
+#include "segments.hpp"
 
 namespace graspless::bindings {
 namespace {
@@ -397,9 +398,7 @@ ValueError
 }
 
 void bind_segment(py::module_& m) {
-  py::class_<Segment>(
-      m, "Segment",
-      "Part of a motion. No joint moves by more than 0.05 rad from one row to the next.")
+  bind_segment_class<Segment>(m, "reach or close.")
       .def(py::init(
                [](const std::string& name, const Array& positions, const Array& virtual_linking) {
                  Configurations rows = to_configurations(positions, "positions");
@@ -408,24 +407,9 @@ void bind_segment(py::module_& m) {
                }),
            py::arg("name"), py::arg("positions"), py::arg("virtual_linking"),
            "positions: (N, dof) [rad or m]. virtual_linking: (N, curves).")
-      .def_readonly("name", &Segment::name, "reach or close.")
       .def_property_readonly(
-          "positions",
-          [](const Segment& self) -> const Rows {
-            return from_configurations(self.positions,
-                                       self.positions.empty() ? 0 : self.positions.front().size());
-          },
-          "(N, dof) all joints [rad or m].")
-      .def_property_readonly(
-          "virtual_linking",
-          [](const Segment& self) -> const Rows { return self.virtual_linking.transpose(); },
-          "(N, curves) |VLk| of every finger curve with the loop clasped, at each row.")
-      .def(
-          "__len__", [](const Segment& self) { return self.positions.size(); }, "Number of rows.")
-      .def("__repr__", [](const Segment& self) {
-        return "<Segment '" + self.name + "' of " + std::to_string(self.positions.size()) +
-               " rows>";
-      });
+          "virtual_linking", shown(&Segment::virtual_linking),
+          "(N, curves) |VLk| of every finger curve with the loop clasped, at each row.");
 }
 
 void bind_tree(py::module_& m) {

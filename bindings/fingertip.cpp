@@ -8,6 +8,7 @@
 #include "conversions.hpp"
 #include "fields.hpp"
 #include "planning.hpp"
+#include "segments.hpp"
 
 namespace graspless::bindings {
 
@@ -506,43 +507,24 @@ void bind_realization(py::module_& m) {
       Field{"links", &Carrier::links, "Links that may touch the object, for each fingertip."});
   bind_options_struct<RealizeOptions>(m, "RealizeOptions", "Options of realize().");
 
-  py::class_<JointSegment>(m, "JointSegment", "Part of a joint motion.")
+  bind_segment_class<JointSegment>(
+      m, "approach, touch, slide, turn, tumble, release, reach or retreat.", "JointSegment",
+      "Part of a joint motion.")
       .def(py::init([](const std::string& name, const Array& positions, const Array& X_WO,
                        int plan_segment, double scrub) {
-             JointSegment segment{name, to_configurations(positions, "positions"),
-                                  to_poses(X_WO, "X_WO"), plan_segment, scrub};
-             if (segment.positions.size() != segment.X_WO.size()) {
-               throw std::invalid_argument(
-                   "segment '" + name + "' has " + std::to_string(segment.positions.size()) +
-                   " positions but " + std::to_string(segment.X_WO.size()) + " X_WO");
-             }
-             return segment;
+             return with_equal_rows(JointSegment{name, to_configurations(positions, "positions"),
+                                                 to_poses(X_WO, "X_WO"), plan_segment, scrub},
+                                    &JointSegment::X_WO, "X_WO");
            }),
            py::arg("name"), py::arg("positions"), py::arg("X_WO"), py::arg("plan_segment") = -1,
            py::arg("scrub") = 0.0,
            "positions: (N, dof) [rad or m]. X_WO: (N, 4, 4) poses of O in the world.")
-      .def_readonly("name", &JointSegment::name,
-                    "approach, touch, slide, turn, tumble, release, reach or retreat.")
-      .def_property_readonly(
-          "positions",
-          [](const JointSegment& self) -> const Rows {
-            return from_configurations(self.positions,
-                                       self.positions.empty() ? 0 : self.positions.front().size());
-          },
-          "(N, dof) all joints [rad or m].")
       .def_property_readonly("X_WO", shown(&JointSegment::X_WO),
                              "(N, 4, 4) pose of O in the world at each row.")
       .def_readonly("plan_segment", &JointSegment::plan_segment,
                     "Index of the plan's segment that it carries out, or -1.")
       .def_readonly("scrub", &JointSegment::scrub,
-                    "Largest distance by which a turning fingertip slips on its contact [m].")
-      .def(
-          "__len__", [](const JointSegment& self) { return self.positions.size(); },
-          "Number of rows.")
-      .def("__repr__", [](const JointSegment& self) {
-        return "<JointSegment '" + self.name + "' of " + std::to_string(self.positions.size()) +
-               " rows>";
-      });
+                    "Largest distance by which a turning fingertip slips on its contact [m].");
 
   py::class_<Realization> found(
       m, "Realization",
