@@ -130,22 +130,12 @@ void bind_problem(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
-  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
-      .def(
-          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "True if the query is solved.");
-  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "Outcome of the query."});
-  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
-  field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
-  field(Field{"reached", &Plan::reached, "Fraction of the path that was reached, in [0, 1]."});
-  field(Field{"place", &Plan::place, "Index of the place where the object is put down; -1: none."});
-  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
-  plan.def("__repr__", [](const py::object& self) {
-    return represent(self, {"status", "reason", "segments"});
-  });
+  bind_plan_class<Plan>(
+      m, {"status", "reason", "segments"},
+      Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."},
+      Field{"segments", &Plan::segments, "Segments of the motion, in order."},
+      Field{"reached", &Plan::reached, "Fraction of the path that was reached, in [0, 1]."},
+      Field{"place", &Plan::place, "Index of the place where the object is put down; -1: none."});
 }
 
 }  // namespace

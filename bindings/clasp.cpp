@@ -439,39 +439,28 @@ void bind_tree(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
-  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
-      .def(
-          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "True if the query is solved.")
-      .def("__repr__", [](const py::object& self) {
-        return represent(self, {"status", "reason", "segments", "loop", "stability"});
-      });
-  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "Outcome of the query."});
-  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
-  field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
-  field(Field{"loop", &Plan::loop,
-              "Index of the clasped loop in object.loops.found; -1 without a plan."});
-  field(Field{"fingers", &Plan::fingers,
-              "Names of the fingers that clasp the loop together with the thumb."});
-  field(Field{
-      "pre_shape", &Plan::pre_shape,
-      "Pre-shape with which the search began, a state of the hand's joints; empty in old plans: "
-      "hand.open. The hand may be partly closed when it arrives."});
-  field(Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."});
-  field(Field{"min_linking", &Plan::min_linking,
-              "Threshold of virtual linking that the plan fulfils."});
-  field(Field{"stability", &Plan::stability,
-              "Result of the stability test at the last row; a copy."});
-  field(Field{"pinch", &Plan::pinch,
-              "Result of the test of a pinch at the last row, if only friction holds; or None."});
-  field(Field{"certificate", &Plan::certificate,
-              "Certificate of the last row, or None if no time was left; a copy."});
-  field(Field{"tree", &Plan::tree, "Search tree that contains the clasp; a copy."});
-  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
-  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
+  bind_plan_class<Plan>(
+      m, {"status", "reason", "segments", "loop", "stability"},
+      Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."},
+      Field{"segments", &Plan::segments, "Segments of the motion, in order."},
+      Field{"loop", &Plan::loop,
+            "Index of the clasped loop in object.loops.found; -1 without a plan."},
+      Field{"fingers", &Plan::fingers,
+            "Names of the fingers that clasp the loop together with the thumb."},
+      Field{"pre_shape", &Plan::pre_shape,
+            "Pre-shape with which the search began, a state of the hand's joints; empty in old "
+            "plans: "
+            "hand.open. The hand may be partly closed when it arrives."},
+      Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."},
+      Field{"min_linking", &Plan::min_linking,
+            "Threshold of virtual linking that the plan fulfils."},
+      Field{"stability", &Plan::stability, "Result of the stability test at the last row; a copy."},
+      Field{"pinch", &Plan::pinch,
+            "Result of the test of a pinch at the last row, if only friction holds; or None."},
+      Field{"certificate", &Plan::certificate,
+            "Certificate of the last row, or None if no time was left; a copy."},
+      Field{"tree", &Plan::tree, "Search tree that contains the clasp; a copy."},
+      Field{"warnings", &Plan::warnings, "Warnings about the plan."});
 }
 
 void bind_hang(py::module_& m) {

@@ -467,35 +467,24 @@ void bind_statistics(py::module_& m) {
 
 void bind_plan(py::module_& m) {
   bind_choices<Status>(m, "Status", "Outcome of a query.");
-  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
-  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
-      .def(
-          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "True if the query is solved.")
-      .def("__repr__", [](const py::object& self) {
-        return represent(self, {"status", "reason", "cost", "regrasps", "segments"});
-      });
-  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "Outcome of the query."});
-  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
-  field(Field{"cost", &Plan::cost, "Cost by Eqs. (9) and (10) [m]."});
-  field(Field{"lower_bound", &Plan::lower_bound,
-              "Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the "
-              "plan is optimal."});
-  field(Field{"regrasps", &Plan::regrasps, "Number of regrasps."});
-  field(
-      Field{"withstands", &Plan::withstands, "Largest disturbance that every row withstands [N]."});
-  field(Field{"place_tolerance", &Plan::place_tolerance,
-              "Error of every finger's place that every row tolerates [m]."});
-  field(Field{"segments", &Plan::segments, "Motions and regrasps, in order."});
-  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
-  field(Field{"weakest_segment", &Plan::weakest_segment,
-              "Index of the segment of least stability; -1 without a plan."});
-  field(Field{"weakest_row", &Plan::weakest_row,
-              "Index of the row of least stability in that segment; -1 without a plan."});
-  field(Field{"limit", &Plan::limit, "Obstacles to a plan, if not solved."});
-  field(Field{"relaxations", &Plan::relaxations, "Single changes that would help, if not solved."});
-  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
+  bind_plan_class<Plan>(
+      m, {"status", "reason", "cost", "regrasps", "segments"},
+      Field{"cost", &Plan::cost, "Cost by Eqs. (9) and (10) [m]."},
+      Field{"lower_bound", &Plan::lower_bound,
+            "Lower bound on the cost of every plan on this lattice [m]; equals `cost` if the "
+            "plan is optimal."},
+      Field{"regrasps", &Plan::regrasps, "Number of regrasps."},
+      Field{"withstands", &Plan::withstands, "Largest disturbance that every row withstands [N]."},
+      Field{"place_tolerance", &Plan::place_tolerance,
+            "Error of every finger's place that every row tolerates [m]."},
+      Field{"segments", &Plan::segments, "Motions and regrasps, in order."},
+      Field{"warnings", &Plan::warnings, "Warnings about the plan."},
+      Field{"weakest_segment", &Plan::weakest_segment,
+            "Index of the segment of least stability; -1 without a plan."},
+      Field{"weakest_row", &Plan::weakest_row,
+            "Index of the row of least stability in that segment; -1 without a plan."},
+      Field{"limit", &Plan::limit, "Obstacles to a plan, if not solved."},
+      Field{"relaxations", &Plan::relaxations, "Single changes that would help, if not solved."});
 }
 
 void bind_realization(py::module_& m) {

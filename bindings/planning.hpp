@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "graspless/planning/budget.hpp"
 
@@ -85,6 +86,23 @@ void bind_front_door(py::module_& m, const std::string& plan_doc, const std::str
       (check_doc +
        "\n\nReturns one fault per entry, with segment and row; an empty list if the plan is valid.")
           .c_str());
+}
+
+/// Binds Plan: what all plans have, and more fields; its repr has those that are `shown`.
+template <class Plan, class... Values>
+py::class_<Plan> bind_plan_class(py::module_& m, const std::vector<const char*>& shown,
+                                 const Field<Plan, Values>&... fields) {
+  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
+  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
+      .def(
+          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
+          "True if the query is solved.")
+      .def("__repr__", [shown](const py::object& self) { return represent(self, shown); });
+  bind_field(plan, Field{"status", &Plan::status, "Outcome of the query."});
+  bind_field(plan, Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
+  bind_field(plan, Field{"statistics", &Plan::statistics, "Counters of the search."});
+  (bind_field(plan, fields), ...);
+  return plan;
 }
 
 /// Binds certify(), which the planners of joint paths have; `proven` says what it proves.

@@ -348,44 +348,27 @@ void bind_resume(py::module_& m) {
 }
 
 void bind_plan(py::module_& m) {
-  py::class_<Plan> plan(m, "Plan", "Result of a query. False unless it is solved.");
-  plan.def(py::init<>(), "A plan without segments, to be filled from a file.")
-      .def(
-          "__bool__", [](const Plan& self) { return static_cast<bool>(self); },
-          "True if the query is solved.");
-  const auto field = [&plan](const auto& described) { bind_field(plan, described); };
-  field(Field{"status", &Plan::status, "Outcome of the query."});
-  field(Field{"reason", &Plan::reason, "Explanation of the outcome in one sentence."});
-  field(Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."});
-  field(Field{"resumed", &Plan::resumed,
-              "Interruption from which the plan goes on; None if it begins at the problem's "
-              "q_home."});
-  field(Field{"segments", &Plan::segments, "Segments of the motion, in order."});
-  field(
+  bind_plan_class<Plan>(
+      m, {"status", "reason", "segments"},
+      Field{"joint_names", &Plan::joint_names, "The robot's joints, in the order of positions."},
+      Field{"resumed", &Plan::resumed,
+            "Interruption from which the plan goes on; None if it begins at the problem's "
+            "q_home."},
+      Field{"segments", &Plan::segments, "Segments of the motion, in order."},
       Field{"max_mass", &Plan::max_mass,
             "Largest mass that the fingers bear when they lift the object [kg]. None for a problem "
             "with an end, and if a joint that must bear it has no effort limit, or one that is a "
-            "placeholder: a finger would press with more than 500 N."});
-  field(
+            "placeholder: a finger would press with more than 500 N."},
       Field{"overhang", &Plan::overhang,
-            "Length of the object beyond the edge at the goal [m]; 0 for a problem with an end."});
-  field(Field{"tube", &Plan::tube,
-              "Bounds on where the object can be at each row of the slide; empty: not stated."});
-  field(Field{"warnings", &Plan::warnings, "Warnings about the plan."});
-  field(Field{"statistics", &Plan::statistics, "Counters of the search."});
-  plan.def_property(
-          "X_WO_goal", [](const Plan& self) -> const Pose { return from_pose(self.X_WO_goal); },
-          [](Plan& self, const Array& X) { self.X_WO_goal = to_pose(X, "X_WO_goal"); },
-          "(4, 4) pose of the object in the world after the slide.")
-      .def_property(
-          "X_WH_grasp", [](const Plan& self) -> const Pose { return from_pose(self.X_WH_grasp); },
-          [](Plan& self, const Array& X) { self.X_WH_grasp = to_pose(X, "X_WH_grasp"); },
-          "(4, 4) pose of the grasp frame H in the world at the grasp; the identity for a problem "
-          "with "
-          "an end, which has no grasp.")
-      .def("__repr__", [](const py::object& self) {
-        return represent(self, {"status", "reason", "segments"});
-      });
+            "Length of the object beyond the edge at the goal [m]; 0 for a problem with an end."},
+      Field{"tube", &Plan::tube,
+            "Bounds on where the object can be at each row of the slide; empty: not stated."},
+      Field{"warnings", &Plan::warnings, "Warnings about the plan."},
+      Field{"X_WO_goal", &Plan::X_WO_goal,
+            "(4, 4) pose of the object in the world after the slide."},
+      Field{"X_WH_grasp", &Plan::X_WH_grasp,
+            "(4, 4) pose of the grasp frame H in the world at the grasp; the identity for a "
+            "problem with an end, which has no grasp."});
 }
 
 }  // namespace
