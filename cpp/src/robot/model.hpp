@@ -43,6 +43,7 @@ struct Robot::Model {
   std::vector<std::string> frame_names;
   std::vector<std::string> joint_names;
   Eigen::VectorXd lower, upper, max_velocity, max_effort;
+  Eigen::VectorXd hard_lower, hard_upper;  // without the soft limits
 
   std::vector<std::vector<int>>
       paths;  // the links from the root (left out) to each link (included)

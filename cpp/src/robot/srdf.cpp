@@ -163,7 +163,7 @@ class SrdfReader {
     return read_group(*found->second);
   }
 
-  double read_value(const TiXmlElement& element, int joint) const {
+  double read_value(const TiXmlElement& element, int joint) {
     const std::string name = attribute(element, "name"), text = attribute(element, "value");
     double value = 0;
     try {
@@ -171,12 +171,16 @@ class SrdfReader {
     } catch (const std::runtime_error&) {
       fail(element, "joint '" + name + "': '" + text + "' is not a number");
     }
-    const double lower = model_.lower[joint], upper = model_.upper[joint];
+    const double lower = model_.hard_lower[joint], upper = model_.hard_upper[joint];
     if (!(value >= lower - kStateSlack && value <= upper + kStateSlack)) {
       fail(element, "joint '" + name + "': " + text + " is outside its limits " + figure(lower) +
                         " to " + figure(upper));
     }
-    return std::clamp(value, lower, upper);
+    const double kept = std::clamp(value, model_.lower[joint], model_.upper[joint]);
+    if (std::abs(value - kept) > kStateSlack)
+      model_.warnings.push_back("a state has joint '" + name + "' at " + text +
+                                ", beyond its soft limit " + figure(kept) + ", which is used");
+    return kept;
   }
 
   /// States of the same name are merged: an arm's "home" and a hand's "home" make the robot's.

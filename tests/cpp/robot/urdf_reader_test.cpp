@@ -163,6 +163,44 @@ TEST(UrdfReader, WarnsOfLimitsBelowZero) {
   EXPECT_EQ(robot.max_velocity()[0], std::numeric_limits<double>::infinity());
 }
 
+TEST(UrdfReader, KeepsToSoftLimits) {
+  const auto elbow = [](const std::string& safety, const std::string& type = "revolute") {
+    return read(links({"a", "b"}) +
+                joint("elbow", "a", "b", kLimit + "<safety_controller " + safety + "/>", type));
+  };
+  const auto expect_bounds = [](const Robot& robot, double lower, double upper) {
+    EXPECT_EQ(robot.lower()[0], lower);
+    EXPECT_EQ(robot.upper()[0], upper);
+  };
+  expect_bounds(elbow("k_velocity='1' soft_lower_limit='-1' soft_upper_limit='1.25'"), -1, 1.25);
+  expect_bounds(elbow("k_velocity='1' soft_lower_limit='-1' soft_upper_limit='9'"), -1, 1.5);
+  expect_bounds(elbow("k_velocity='1'"), -1.5, 1.5);  // gains alone
+  expect_bounds(elbow("k_velocity='1' soft_lower_limit='-1' soft_upper_limit='1'", "continuous"),
+                -M_PI, M_PI);
+  const Robot beyond = elbow("k_velocity='1' soft_lower_limit='2' soft_upper_limit='3'");
+  expect_bounds(beyond, -1.5, 1.5);
+  EXPECT_EQ(beyond.warnings(), std::vector<std::string>{"the soft limits of joint 'elbow' are "
+                                                        "beyond its limits; ignored"});
+}
+
+TEST(UrdfReader, PutsStatesOfTheSrdfWithinSoftLimits) {
+  Robot::Options options;
+  const std::string state = "<robot name='r'><group_state name='home'><joint name='elbow' value='";
+  const std::string arm =
+      links({"a", "b"}) + joint("elbow", "a", "b",
+                                kLimit +
+                                    "<safety_controller k_velocity='1' soft_lower_limit='-1' "
+                                    "soft_upper_limit='1'/>");
+  options.srdf = state + "1.5'/></group_state></robot>";
+  const Robot robot = read(arm, options);
+  EXPECT_EQ(robot.state("home")[0], 1);
+  EXPECT_EQ(robot.warnings(), std::vector<std::string>{"a state has joint 'elbow' at 1.5, beyond "
+                                                       "its soft limit 1, which is used"});
+  options.srdf = state + "1.6'/></group_state></robot>";
+  const Robot outside = read(arm, options);
+  EXPECT_CONTAINS(complaint([&] { outside.state("home"); }), "1.6 is outside its limits -1.5 to 1");
+}
+
 TEST(UrdfReader, WarnsOfVelocityLimitsOfZero) {
   const std::string limit = "<limit lower='0' upper='1' effort='1' velocity='", kZero = "0.0'/>";
   const Robot robot =

@@ -88,6 +88,20 @@ std::pair<double, double> bounds(const urdf::Joint& joint) {
   return {lower, upper};
 }
 
+/// Soft limits of <safety_controller> within the bounds: controllers stop a joint there. Both are 0
+/// in files that give only its gains.
+std::pair<double, double> soft_bounds(const urdf::Joint& joint, std::pair<double, double> hard,
+                                      Robot::Model& model) {
+  if (!joint.safety || joint.type == urdf::Joint::CONTINUOUS) return hard;
+  const double lower = joint.safety->soft_lower_limit, upper = joint.safety->soft_upper_limit;
+  if (!(lower < upper)) return hard;
+  if (lower < hard.second && upper > hard.first)
+    return {std::max(lower, hard.first), std::min(upper, hard.second)};
+  model.warnings.push_back("the soft limits of joint '" + joint.name +
+                           "' are beyond its limits; ignored");
+  return hard;
+}
+
 /// A limit of 0 means none: many files write it for "unknown". Warns of one below 0.
 double positive_or_infinity(double value, const std::string& what, Robot::Model& model) {
   if (value > 0) return value;
@@ -97,14 +111,17 @@ double positive_or_infinity(double value, const std::string& what, Robot::Model&
 
 void read_limits(const std::vector<urdf::JointConstSharedPtr>& joints, Robot::Model& model) {
   const auto n = static_cast<Eigen::Index>(joints.size());
-  for (auto* field : {&model.lower, &model.upper, &model.max_velocity, &model.max_effort}) {
+  for (auto* field : {&model.lower, &model.upper, &model.hard_lower, &model.hard_upper,
+                      &model.max_velocity, &model.max_effort}) {
     field->setConstant(n, std::numeric_limits<double>::infinity());
   }
   model.step_weights.setOnes(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const urdf::Joint& joint = *joints[i];
     if (joint.type == urdf::Joint::PRISMATIC) model.step_weights(i) = kRadPerMeter;
-    std::tie(model.lower(i), model.upper(i)) = bounds(joint);
+    const auto hard = bounds(joint);
+    std::tie(model.hard_lower(i), model.hard_upper(i)) = hard;
+    std::tie(model.lower(i), model.upper(i)) = soft_bounds(joint, hard, model);
     if (!joint.limits) continue;
     const std::string of = " of joint '" + joint.name + "'";
     model.max_velocity(i) =
