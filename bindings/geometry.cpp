@@ -757,7 +757,7 @@ Parameters
 loop : Loop or (K, 3) array
     Closed loop, or its corners [m].
 count : int
-    Number of targets, positive.
+    Number of targets, 1 to 10^6.
 
 Returns
 -------
@@ -767,7 +767,7 @@ list of ClaspTarget
 Raises
 ------
 ValueError
-    If `count` is not positive, or the loop has fewer than 3 corners or no length.
+    If `count` is out of range, or the loop has fewer than 3 corners or no length.
 )");
 }
 

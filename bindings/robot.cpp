@@ -303,7 +303,8 @@ void bind_ik(py::module_& m) {
            "tolerance: largest pose error of a solution [m, rad]. max_iterations: of least "
            "squares, per attempt.\n"
            "restarts: random restarts of least squares. free_samples: values of the free joint "
-           "tried in closed form.\n\nRaises ValueError if a joint of the group does not move the "
+           "tried in closed form, at most 10000.\n\nRaises ValueError if a joint of the group does "
+           "not move the "
            "frame.")
       .def_property_readonly(
           "is_closed_form", [](const RobotIk& self) { return self.ik.is_closed_form(); },

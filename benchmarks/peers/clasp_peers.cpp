@@ -77,7 +77,7 @@ class GraspRrt {
   /// From a node at random towards a point of the surface at random; then the fingers close.
   void try_grasp() {
     ++grasp_.approaches;
-    const VectorXd& q_from = tree_[unit() * num(tree_.size())];
+    const VectorXd& q_from = tree_[static_cast<std::size_t>(unit() * num(tree_.size()))];
     const Eigen::Matrix3Xd& cloud = problem_.object.points();
     const auto target = static_cast<Eigen::Index>(unit() * num(cloud.cols()));
     const std::optional<VectorXd> q = approach(q_from, problem_.X_WO * cloud.col(target));

@@ -24,9 +24,9 @@ def writing(path: str | Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        if error.errno is None:  # a TimeoutError of the program
+        if error.errno is None and isinstance(error, TimeoutError):  # of the program
             raise
-        raise TaskError(f"{path}: cannot be written: {error.strerror}") from None
+        raise TaskError(f"{path}: cannot be written: {error.strerror or error}") from None
 
 
 def check_writable(path: str | Path) -> None:
@@ -57,11 +57,13 @@ def as_path(path: object) -> Path:
 
 def _check_place(path: Path) -> None:
     """Raises TaskError unless the folder exists and the file can be written."""
-    try:
-        with writing(path), contextlib.suppress(FileNotFoundError):
+    with writing(path):
+        try:
             path.stat()  # fails for a loop of links, and for a name that is too long
-    except ValueError as error:
-        raise TaskError(f"{str(path)!r}: cannot be written: {error}") from None
+        except FileNotFoundError:
+            pass
+        except ValueError as error:
+            raise TaskError(f"{str(path)!r}: cannot be written: {error}") from None
     if path.is_dir():
         raise TaskError(f"{path}: cannot be written: is a folder")
     if not path.parent.is_dir():

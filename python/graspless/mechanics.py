@@ -154,7 +154,7 @@ def stability(
     gravity : array (3,)
         Acceleration of gravity [m/s^2].
     cone_edges : int
-        Number of edges of each polyhedral friction cone, at least 3.
+        Number of edges of each polyhedral friction cone, 3 to 1000.
     directions : array (D, 6), optional
         Directions of disturbances in scaled wrench space. By default `disturbance_directions()`.
     engine : Engine

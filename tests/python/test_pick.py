@@ -170,7 +170,7 @@ def test_given_obstacles_are_kept_clear_of(scene, names):
         scene, names["bar"], "wam_t42", obstacles=lid, strategies=["pinch"], seconds=1.0
     )
     assert under.reason.endswith("collision of hand_base with ceiling")
-    both = graspless.pick(scene, names["bar"], "wam_t42", obstacles=[ceiling, lamp])
+    both = graspless.pick(scene, names["bar"], "wam_t42", obstacles=(ceiling, lamp))
     all_of_them = {"ceiling", "lamp", f"scene {names['card']}", f"scene {names['block']}"}
     kept = [{body.name for body in stage.task.problem.obstacles} for stage in both.plan.stages]
     assert kept == [all_of_them, all_of_them | {"support"}]
@@ -472,6 +472,9 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
     assert [stage.kind for stage in task.problem.stages] == [kind, "carry"]
 
 
+TALL = {"name": "wall", "box": np.array([0.1, 1.0, 1.0]), "pose": {"position": (0.0, -1.0, 0.5)}}
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [
@@ -503,6 +506,11 @@ def test_the_task_of_a_strategy_is_a_task_file(scene, names, strategy):
         ({"respect": "all"}, "respect: all: should be one of"),
         ({"obstacles": [{"name": "wall"}]}, r"pick: obstacles\[0\]: exactly one of box, "),
         ({"obstacles": 3}, "pick: obstacles: 3: should be a"),
+        ({"obstacles": [TALL | {"name": "support"}]}, r"obstacles\[0\].name: support: is the name"),
+        (
+            {"obstacles": [TALL | {"name": "scene object_0"}]},
+            r"obstacles\[0\].name: scene object_0",
+        ),
         ({"obstacles": {"name": "wall"}}, r"pick: obstacles: \{.*: should be a valid list"),
         (
             {"obstacles": [{"name": "wall", "mesh": {"file": "none.stl"}}]},
@@ -841,6 +849,14 @@ def test_a_task_file_with_obstacles(scene, names, tmp_path, capsys, monkeypatch)
     task.write_text(head + wall.replace("wall.obj", "walls.obj"))
     assert main(["pick", str(task)]) == 2
     assert "pick.yaml:6: obstacles[0].mesh.file: walls.obj: no such" in capsys.readouterr().err
+    task.write_text(head + wall.replace("name: wall", f"name: {names['bar']}"))
+    assert main(["pick", str(task)]) == 2
+    assert f"pick.yaml:6: obstacles[0].name: {names['bar']}: is the name" in capsys.readouterr().err
+
+
+def test_obstacles_may_be_of_numpy(scene, names):
+    found = graspless.pick(scene, names["bar"], "wam_t42", obstacles=[TALL])
+    assert found, found.reason
 
 
 def test_a_task_file_with_several_robots(scene, names, tmp_path, capsys, monkeypatch):

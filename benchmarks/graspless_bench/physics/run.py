@@ -8,7 +8,7 @@ import importlib
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from graspless.errors import TaskError
+from graspless.errors import TaskError, should_be
 
 from ..bar import collected
 from ..resume import death, rows_of
@@ -65,7 +65,10 @@ class Grid:
                 raise TaskError(f"--{name}: {getattr(self, name)}: should be at least 1")
         if self.seed < 0:
             raise TaskError(f"--seed: {self.seed}: should not be negative")
-        kind, refusal, _ = EXPERIMENTS.get(self.experiment, ("", "", ""))
+        known = {"": ("", "", ""), **EXPERIMENTS}
+        if self.experiment not in known:
+            raise TaskError(f"{self.experiment}: {should_be(self.experiment, EXPERIMENTS)}")
+        kind, refusal, _ = known[self.experiment]
         if kind not in ("", self.kind):
             raise TaskError(f"--{self.experiment.replace('_', '-')}: {self.kind}{refusal}")
 

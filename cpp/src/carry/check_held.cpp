@@ -6,8 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "graspless/geometry/pose.hpp"
-
 #include "scene/bands.hpp"
 #include "scene/rows.hpp"
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "graspless/geometry/pose.hpp"
 #include "graspless/pinch/pinch.hpp"
 #include "graspless/watch.hpp"
 

@@ -222,7 +222,7 @@ void keep_below(const std::string& root, Side& gripper) {
 }
 
 void check_mount(const Mount& mount, TiXmlElement& arm) {
-  geometry::require_pose(mount.X_MG, "pose");
+  geometry::require_pose(mount.X_MG, "mount.X_MG");
   const Names links = names_of(arm, "link");
   if (links.count(mount.link) > 0) return;
   throw_unknown(mount.link, {links.begin(), links.end()}, "mount");

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-
 #include <Eigen/Geometry>
 
 #include "graspless/robot/robot.hpp"

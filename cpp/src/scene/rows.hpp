@@ -63,7 +63,8 @@ bool is_same(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double tole
 std::string wrong_names(const robot::Robot& robot, const std::vector<std::string>& names);
 
 /// Calls fault(place, what) unless a plan has the robot's joints, segments of these names, and in
-/// each of them rows with one object pose for each.
+/// each of them rows: configurations of the robot, and one object pose for each. Of each segment,
+/// only the first wrong row is told.
 template <class Plan, class Fault>
 void check_shape(const robot::Robot& robot, const Plan& plan, const std::vector<std::string>& names,
                  Fault fault) {
@@ -83,10 +84,12 @@ void check_shape(const robot::Robot& robot, const Plan& plan, const std::vector<
       continue;
     }
     for (std::size_t i = 0; i < rows; ++i) {
-      if (!robot::is_configuration(robot, segment.positions[i]) ||
-          !geometry::is_pose(segment.object_poses[i]))
-        fault(segment.name + " row " + std::to_string(i),
-              "has the wrong size, a value that is not finite, or no pose");
+      if (robot::is_configuration(robot, segment.positions[i]) &&
+          geometry::is_pose(segment.object_poses[i]))
+        continue;
+      fault(segment.name + " row " + std::to_string(i),
+            "has the wrong size, a value that is not finite, or no pose");
+      break;
     }
   }
 }

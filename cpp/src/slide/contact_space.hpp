@@ -40,7 +40,7 @@ class GRASPLESS_API ContactSpace {
     Planar tip_start, object_start;
   };
 
-  /// `scene`: as from make_scene().
+  /// `scene`: as from make_scene(); copied.
   ContactSpace(const Problem& problem, const Options& options, const Arm& arm,
                const scene::Scene& scene);
   ContactSpace(const ContactSpace&) = delete;  // the projection calls back

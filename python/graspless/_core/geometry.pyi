@@ -777,7 +777,7 @@ def clasp_targets(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.fl
     loop : Loop or (K, 3) array
         Closed loop, or its corners [m].
     count : int
-        Number of targets, positive.
+        Number of targets, 1 to 10^6.
     
     Returns
     -------
@@ -787,7 +787,7 @@ def clasp_targets(loop: Loop | typing.Annotated[numpy.typing.ArrayLike, numpy.fl
     Raises
     ------
     ValueError
-        If `count` is not positive, or the loop has fewer than 3 corners or no length.
+        If `count` is out of range, or the loop has fewer than 3 corners or no length.
     """
 def columns(map: HeightMap, step: typing.SupportsFloat | typing.SupportsIndex) -> list[PlacedShape]:
     """

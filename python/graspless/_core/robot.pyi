@@ -232,7 +232,7 @@ class Ik:
         """
         frame: a link's name or index. group: a group's name, or joint indices from the base outwards.
         tolerance: largest pose error of a solution [m, rad]. max_iterations: of least squares, per attempt.
-        restarts: random restarts of least squares. free_samples: values of the free joint tried in closed form.
+        restarts: random restarts of least squares. free_samples: values of the free joint tried in closed form, at most 10000.
         
         Raises ValueError if a joint of the group does not move the frame.
         """

@@ -94,8 +94,8 @@ def pick(
     padding : float
         Distance that the robot and the object keep from the other objects [m].
     obstacles : sequence of dict
-        Further bodies that nothing may touch, such as walls that no camera saw: the field
-        `obstacles` of a task file.
+        Further bodies, such as walls that no camera saw: the field `obstacles` of a task file.
+        Neither moving links nor the object may touch them; the robot's base is not tested.
     mass : float, optional
         Mass of the object [kg], which grasps must bear and slides count with. Needed to tumble and
         push it.
@@ -149,7 +149,7 @@ def pick(
         scene, file = read_scene(scene)
         robots = labelled(robot)
         require_found(list(robots.values()))
-        further = obstacles_of(obstacles)
+        further = obstacles_of(obstacles, name)
         wishes = {
             label: wish_of(
                 scene, file, name, one,

@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 from ..errors import one_of
 from ..tasks.budget import Budget
 from ..tasks.chain.stages import absolute
-from ..tasks.obstacles import Obstacles, resolve_obstacles
+from ..tasks.obstacles import Obstacles
 from ..tasks.reading import read_yaml
 from ..tasks.scenes import PADDING, RESPECT, Respect
 from ..tasks.shapes import Fields, Padding, Positive
@@ -20,7 +20,7 @@ from ..tasks.source import Source
 from ..tasks.units import warn_of_units
 from .place_fields import Place
 from .strategies import STRATEGIES
-from .wish import documents
+from .wish import resolved
 
 BUDGET = ("seconds", "seed")  # of several searches of several kinds
 
@@ -81,7 +81,7 @@ def read_pick(path: str) -> dict[str, Any] | None:
     warn_of_units(fields, source)
     given = fields.model_dump(exclude={"kind", "budget", "robots"}) | {"place": fields.place}
     given["scene"] = str(directory / fields.scene)
-    given["obstacles"] = documents(resolve_obstacles(fields.obstacles, source, directory))
+    given["obstacles"] = resolved(fields.obstacles, fields.name, source, directory)
     given["robot"] = absolute(fields.robots or fields.robot, directory)
     budget = fields.budget.model_dump(exclude_none=True)
     for name in budget.keys() - BUDGET:

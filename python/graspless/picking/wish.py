@@ -18,12 +18,12 @@ from .._arguments import require_path
 from ..errors import TaskError, should_be
 from ..perception import Scene
 from ..tasks import scenes
-from ..tasks.documents import rows_of
-from ..tasks.obstacles import Obstacles, resolve_obstacles
+from ..tasks.documents import in_plain_types, rows_of
+from ..tasks.obstacles import OF_SCENE, Obstacles, resolve_obstacles
 from ..tasks.rays import rays_fields
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot, build_robot
-from ..tasks.shapes import MOST_PADDING, Fields
+from ..tasks.shapes import MOST_PADDING, Fields, Obstacle
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
 from .result import FILE
@@ -136,11 +136,25 @@ def robot_of(given: dict[str, Any], file: str, *, trust: bool = False) -> robots
     return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
 
 
-def obstacles_of(given: Any) -> list[dict[str, Any]]:
-    """Returns the field `obstacles` of a pick, with absolute paths of meshes."""
-    source = Source(FILE, {"obstacles": list(given) if isinstance(given, tuple) else given})
-    fields = source.validate(ObstaclesOnly)
-    return documents(resolve_obstacles(fields.obstacles, source, Path.cwd()))
+def obstacles_of(given: Any, name: str) -> list[dict[str, Any]]:
+    """Returns the field `obstacles` of a pick of an object, with absolute paths of meshes."""
+    source = Source(FILE, {"obstacles": in_plain_types(given)})
+    return resolved(source.validate(ObstaclesOnly).obstacles, name, source, Path.cwd())
+
+
+def resolved(
+    obstacles: list[Obstacle], name: str, source: Source, directory: Path
+) -> list[dict[str, Any]]:
+    """Returns obstacles as documents, with absolute paths of meshes.
+
+    Raises TaskError for one that is called as a body of the scene; `name` is the object's.
+    """
+    for i, obstacle in enumerate(obstacles):
+        is_taken = obstacle.name in ("object", "support", name)
+        if is_taken or obstacle.name.startswith((OF_SCENE, "unseen ")):
+            what = "is the name of a body of the scene; choose another"
+            raise source.error(("obstacles", i, "name"), what)
+    return documents(resolve_obstacles(obstacles, source, directory))
 
 
 def wish_of(

@@ -62,7 +62,7 @@ class MotionRows(Table):
     )
 
     def check(self, dof: int) -> None:
-        """Raises unless there is one value a joint in each row, and one pose a row."""
+        """Raises unless there is one value per joint in each row, and one pose per row."""
         require_rows(f"segment '{self.name}'", self.positions, self.object_poses, dof)
 
 
@@ -284,7 +284,7 @@ def _table_in(annotation: Any) -> type[Table] | None:
 def require_rows(
     where: str, joint_rows: list[list[float]], object_poses: list[list[float]], dof: int
 ) -> None:
-    """Raises unless there is one value a joint in each row, and one pose a row."""
+    """Raises unless there is one value per joint in each row, and one pose per row."""
     if len(joint_rows) != len(object_poses):
         counts = f"{len(joint_rows)} positions and {len(object_poses)} poses"
         raise ValueError(f"{where} has {counts}: one per row is needed")

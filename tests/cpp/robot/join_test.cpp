@@ -171,7 +171,7 @@ TEST(Join, RefusesWhatDoesNotFit) {
                   "prefix: link 'gripper_world' occurs in both descriptions; give another prefix");
   Mount nowhere = tool();
   nowhere.X_MG.translation().x() = std::nan("");
-  EXPECT_CONTAINS(refused(arm(), gripper(), nowhere), "pose must be a rigid pose");
+  EXPECT_CONTAINS(refused(arm(), gripper(), nowhere), "mount.X_MG must be a rigid pose");
 }
 
 }  // namespace

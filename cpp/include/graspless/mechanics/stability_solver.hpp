@@ -65,7 +65,7 @@ class GRASPLESS_API StabilitySolver {
   /// Sets the contacts for the calls that follow. Several environments are the same instant under
   /// several coefficients of friction: results hold for all of them, with one f_com. The wrenches
   /// must outlive those calls. Throws std::invalid_argument on no environment, more than
-  /// kMaxFingers fingers, or a finger whose fields differ in their number of edges.
+  /// kMaxFingers fingers, or a finger without one normal force for each of its generators.
   void set(const std::vector<const EnvironmentWrenches*>& environments,
            const std::vector<const FingerWrenches*>& fingers);
   /// The same for a contact set, which is copied. If it is ill-conditioned, results are more

@@ -41,8 +41,8 @@ GRASPLESS_API std::string mesh_path(const std::string& name, const Description& 
 /// Joins two robots: a fixed joint carries the root link of the gripper. Paths of meshes become
 /// absolute. Groups of the gripper's SRDF are renamed as links are; states of the same name are
 /// merged when the result is read. With `mount.root`, the gripper's SRDF is left out. Throws
-/// std::invalid_argument that names the faulty description, the unknown link, or names that clash
-/// in spite of the prefix.
+/// std::invalid_argument that names the faulty description, a pose that is not rigid, the unknown
+/// link, or names that clash in spite of the prefix.
 GRASPLESS_API Description join(const Description& arm, const Description& gripper,
                                const Mount& mount);
 

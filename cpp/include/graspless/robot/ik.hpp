@@ -36,7 +36,8 @@ class GRASPLESS_API Ik {
     double tolerance = 1e-9;  ///< largest pose error of an answer [m, rad]
     int max_iterations = 60;  ///< iterations of damped least squares per attempt
     int restarts = 12;        ///< random restarts of damped least squares in solve_all()
-    int free_samples = 16;    ///< values of the free joint that solve_all() tries in closed form
+    int free_samples = 16;    ///< values of the free joint that solve_all() tries in closed form,
+                              ///< at most 10000
     bool whole_turns = true;  ///< return a solution's copies a whole turn of a joint away, too;
                               ///< otherwise of each solution the one nearest to the given q
   };

@@ -60,7 +60,7 @@ double LatticeBounds::bound(int instant, const Placement& placement) {
   const float* rows[1 + mechanics::kMaxFingers] = {t.offsets.data()};
   int count = 1;
   for (const std::int32_t location : placement) {
-    if (location >= 0) rows[count++] = t.h.data() + location * kWidth;
+    if (location >= 0) rows[count++] = t.h.data() + static_cast<std::size_t>(location) * kWidth;
   }
   return static_cast<double>(least_sum(rows, count, (t.size + kStep - 1) / kStep * kStep));
 }

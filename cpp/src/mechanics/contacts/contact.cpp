@@ -13,6 +13,7 @@
 
 #include "graspless/geometry/shape.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "text.hpp"
 
 namespace graspless::mechanics {
@@ -20,7 +21,6 @@ namespace {
 
 constexpr double kUnit = 1e-9;  // tolerance of a unit normal's length
 constexpr int kMaxConeEdges = 1000;
-constexpr double kMaxScale = 1e9;   // of a force or moment [1 or 1/m]
 constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
 
 [[noreturn]] void refuse(const std::string& field, const std::string& must, double value) {

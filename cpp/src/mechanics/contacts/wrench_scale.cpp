@@ -13,6 +13,7 @@
 
 #include "graspless/mechanics/contact.hpp"
 
+#include "mechanics/contacts/wrenches.hpp"
 #include "text.hpp"
 
 namespace graspless::mechanics {
@@ -102,6 +103,10 @@ Matrix6d wrench_scale(double mass, const Eigen::Matrix3d& inertia_O) {
   const Principal principal = principal_axes((inertia_O + inertia_O.transpose()) / 2);
   check_moments(principal.moments);
   const Eigen::Vector3d per_moment = (mass * principal.moments.cwiseInverse()).cwiseSqrt();
+  if (!(per_moment.maxCoeff() <= kMaxScale))
+    throw std::invalid_argument("inertia_O has a moment of " +
+                                figure(principal.moments.minCoeff()) +
+                                " kg m^2, too little for a mass of " + figure(mass) + " kg");
   Matrix6d scale = Matrix6d::Zero();
   scale.topLeftCorner<3, 3>() = principal.axes.transpose();
   scale.bottomRightCorner<3, 3>() = per_moment.asDiagonal() * principal.axes.transpose();

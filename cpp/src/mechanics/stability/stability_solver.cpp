@@ -124,8 +124,7 @@ void StabilitySolver::set(const std::vector<const EnvironmentWrenches*>& environ
       std::any_of(fingers.begin(), fingers.end(), is_null))
     throw std::invalid_argument("environments and fingers must not be null");
   for (const FingerWrenches* finger : fingers) {
-    const auto edges = finger->generators.cols(), jam = finger->jam_generators.cols();
-    if (finger->normal.size() != edges || (jam != 0 && jam != edges))
+    if (finger->normal.size() != finger->generators.cols())
       throw std::invalid_argument(
           "fingers must have one normal force for each of their generators");
   }

@@ -31,8 +31,9 @@ class FingerProfile {
   std::vector<geometry::PlacedShape> shapes_;  // in F
 };
 
-/// Largest sink that check() allows [m]: 5 mm for a rigid finger, 8 mm for one that yields. The
-/// round end of a finger drawn as a capsule reaches that far below its outermost point.
+/// Depth of the sliding finger's shapes below the contact that check() allows [m]: 5 mm for a rigid
+/// finger, 8 mm for one that yields. The round end of a finger drawn as a capsule reaches that far
+/// below its outermost point.
 double allowed_sink(const Hand& hand);
 
 /// Lengths along the object's normal of the open hand at a grasp: distance between the fingers,

@@ -75,6 +75,10 @@ TEST(FingertipPaths, JoinWhereTheyMeet) {
 
 TEST(FingertipPaths, RefuseNonsense) {
   expect_refused([] { slide_path(at(0, 0, 0), {1, 0, 0}, 0); }, "segments");
+  Eigen::Isometry3d scaled = at(0, 0, 0);
+  scaled.linear() *= 2;
+  expect_refused([&] { slide_path(scaled, {1, 0, 0}, 3); }, "X_WO_start must be a rigid pose");
+  expect_refused([&] { turn_path(scaled, {0, 0, 0}, {0, 0, 1}, 1, 3); }, "X_WO_start must be");
   const std::string bound = "segments must be 1 to 99999, not 100000000";
   expect_refused([] { slide_path(at(0, 0, 0), {1, 0, 0}, 100'000'000); }, bound);
   expect_refused([] { turn_path(at(0, 0, 0), {0, 0, 0}, {0, 0, 1}, 1, 100'000'000); }, bound);

@@ -69,6 +69,7 @@ TEST(ClaspTargets, RefuseWhatHasNoLength) {
   nan(0, 3) = std::numeric_limits<double>::quiet_NaN();
   expect_refused([] { clasp_targets(zigzag_circle(5), 0); },
                  "count must lie in [1, 1000000], not 0");
+  expect_refused([] { clasp_targets(zigzag_circle(5), 1000001); }, "not 1000001");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd(3, 0), 4); }, "not 0 corners");
   expect_refused([] { clasp_targets(Eigen::Matrix3Xd::Ones(3, 4), 4); }, "4 corners and 0 m");
   expect_refused([&] { clasp_targets(nan, 4); }, "point 3");

@@ -113,6 +113,7 @@ TEST(Contact, ValidateNamesTheField) {
           "moment of known_wrench_O must be finite");
   refused([&](ContactSet& s) { s.com_O[0] = nan; }, "com_O must be finite");
   refused([](ContactSet& s) { s.wrench_scale(2, 2) = 0; }, "wrench_scale must be regular");
+  refused([](ContactSet& s) { s.cone_edges = 1001; }, "cone_edges must lie in [3, 1000], not 1001");
   refused([](ContactSet& s) { s.cone_edges = 2; }, "cone_edges must lie in [3, 1000], not 2");
 }
 

@@ -57,6 +57,8 @@ TEST(WrenchScale, RefusesWhatNoBodyHas) {
   expect_refused([] { wrench_scale(-1, kMoments.asDiagonal()); }, "mass must lie in");
   expect_refused([] { wrench_scale(1, Vector3d(1, 1, 3).asDiagonal()); }, "inertia_O must have no");
   expect_refused([] { wrench_scale(1, Vector3d(0, 1, 1).asDiagonal()); }, "positive definite");
+  expect_refused([] { wrench_scale(1, Vector3d(1e-20, 1, 1).asDiagonal()); },
+                 "too little for a mass");
   expect_refused(
       [] {
         Matrix3d J = kMoments.asDiagonal();
