@@ -24,11 +24,12 @@ from ..report import least_seconds
 from . import place as places
 from .hidden import warnings_of
 from .moving import MOVING
+from .obstacles import obstacles_of
 from .result import FILE, NOT_TRIED, REFUSED, STALE, Attempt, Pick
 from .robots import labelled, require_found
 from .strategies import LEAST_SECONDS, STRATEGIES, require_strategies
 from .trying import attempt_plan
-from .wish import obstacles_of, read_scene, stale, wish_of
+from .wish import read_scene, stale, wish_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -17,7 +17,8 @@ import numpy as np
 from .. import frames
 from ..tasks import scenes
 from . import place as places
-from .wish import documents, support_fields
+from .obstacles import documents
+from .wish import support_fields
 
 if TYPE_CHECKING:
     from .. import geometry

@@ -18,8 +18,9 @@ from ..tasks import scenes
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
 from . import loose
+from .obstacles import documents
 from .place_fields import Place, place_of
-from .wish import dense, documents
+from .wish import dense
 
 if TYPE_CHECKING:
     from ..frames import Matrix

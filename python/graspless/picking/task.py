@@ -18,9 +18,9 @@ from ..tasks.scenes import PADDING, RESPECT, Respect
 from ..tasks.shapes import Fields, Padding, Positive
 from ..tasks.source import Source
 from ..tasks.units import warn_of_units
+from .obstacles import resolved
 from .place_fields import Place
 from .strategies import STRATEGIES
-from .wish import resolved
 
 BUDGET = ("seconds", "seed")  # of several searches of several kinds
 

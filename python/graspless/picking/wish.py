@@ -18,14 +18,14 @@ from .._arguments import require_path
 from ..errors import TaskError, should_be
 from ..perception import Scene
 from ..tasks import scenes
-from ..tasks.documents import in_plain_types, rows_of
-from ..tasks.obstacles import OF_SCENE, Obstacles, resolve_obstacles
+from ..tasks.documents import rows_of
 from ..tasks.rays import rays_fields
 from ..tasks.robot_files import resolve_robot
 from ..tasks.robots import Robot, build_robot
-from ..tasks.shapes import MOST_PADDING, Fields, Obstacle
+from ..tasks.shapes import MOST_PADDING, Fields
 from ..tasks.source import Source
 from ..tasks.statement import pose_fields
+from .obstacles import documents
 from .result import FILE
 
 if TYPE_CHECKING:
@@ -42,12 +42,6 @@ class RobotOnly(Fields):
     """A document with a robot."""
 
     robot: Robot
-
-
-class ObstaclesOnly(Fields):
-    """A document with obstacles."""
-
-    obstacles: Obstacles
 
 
 @dataclass(frozen=True)
@@ -134,27 +128,6 @@ def robot_of(given: dict[str, Any], file: str, *, trust: bool = False) -> robots
     source = Source(file, {"robot": given}, is_trusted=trust)
     fields = source.validate(RobotOnly).robot
     return build_robot(resolve_robot(fields, source, Path.cwd())[0], source, warn=False)
-
-
-def obstacles_of(given: Any, name: str) -> list[dict[str, Any]]:
-    """Returns the field `obstacles` of a pick of an object, with absolute paths of meshes."""
-    source = Source(FILE, {"obstacles": in_plain_types(given)})
-    return resolved(source.validate(ObstaclesOnly).obstacles, name, source, Path.cwd())
-
-
-def resolved(
-    obstacles: list[Obstacle], name: str, source: Source, directory: Path
-) -> list[dict[str, Any]]:
-    """Returns obstacles as documents, with absolute paths of meshes.
-
-    Raises TaskError for one that is called as a body of the scene; `name` is the object's.
-    """
-    for i, obstacle in enumerate(obstacles):
-        is_taken = obstacle.name in ("object", "support", name)
-        if is_taken or obstacle.name.startswith((OF_SCENE, "unseen ")):
-            what = "is the name of a body of the scene; choose another"
-            raise source.error(("obstacles", i, "name"), what)
-    return documents(resolve_obstacles(obstacles, source, directory))
 
 
 def wish_of(
@@ -290,14 +263,6 @@ def read_scene(scene: Any) -> tuple[Scene, str]:
     if not scene.objects:
         raise TaskError(f"{file}: no object was found in this scene: {scene.reason}")
     return scene, file
-
-
-def documents(obstacles: list[Any]) -> list[dict[str, Any]]:
-    """Returns obstacles in the words of task files."""
-    return [
-        obstacle.model_dump(mode="json", exclude_none=True, exclude_defaults=True)
-        for obstacle in obstacles
-    ]
 
 
 def simplified(ring: Matrix, tolerance: float) -> Matrix:

@@ -31,6 +31,7 @@ RESPECT = (
 PADDING = "distance to keep from the other objects of the scene [m]"
 SLAB = 0.02  # thickness of supports as obstacles [m]
 GROWN = 0.003  # mean width by which a hull that stands for an outline is larger [m]
+UNSEEN = "unseen "  # begins the names of spaces that no ray reached
 BELOW = 0.5  # depth at which a support, such as the floor, is in nobody's way [m]
 SAME = 0.005  # difference in height of supports that may be one, which a shadow divides [m]
 SUNK = 0.001  # depth of the tops of such supports, as obstacles, below what the object is on [m]
@@ -111,7 +112,7 @@ def obstacles(
     if respect == "unseen":
         spaces = [space for space in scene.unseen if space.behind != thing.name]
         found += [
-            Obstacle(name=f"unseen {i}", convex=np.asarray(space.vertices).tolist())
+            Obstacle(name=f"{UNSEEN}{i}", convex=np.asarray(space.vertices).tolist())
             for i, space in enumerate(spaces)
         ]
     return found
