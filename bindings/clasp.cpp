@@ -449,8 +449,7 @@ void bind_plan(py::module_& m) {
             "Names of the fingers that clasp the loop together with the thumb."},
       Field{"pre_shape", &Plan::pre_shape,
             "Pre-shape with which the search began, a state of the hand's joints; empty in old "
-            "plans: "
-            "hand.open. The hand may be partly closed when it arrives."},
+            "plans: hand.open. The hand may be partly closed when it arrives."},
       Field{"target", &Plan::target, "Clasped geometry.ClaspTarget, in O; a copy."},
       Field{"min_linking", &Plan::min_linking,
             "Threshold of virtual linking that the plan fulfils."},

@@ -17,9 +17,9 @@
 /// Steps between the rows of a motion, and conditions that every check() puts on them.
 namespace graspless::scene {
 
-constexpr double kRowStep = 0.05;             // largest Robot::step() between planned rows [rad]
-constexpr double kReplayStep = 0.01;          // between checked configurations, Robot::step() [rad]
-constexpr double kLongestStep = 0.05 + 1e-9;  // between rows, Robot::step() [rad]
+constexpr double kRowStep = 0.05;     // largest Robot::step() between planned rows [rad]
+constexpr double kReplayStep = 0.01;  // between checked configurations, Robot::step() [rad]
+constexpr double kLongestStep = kRowStep + 1e-9;  // between rows, Robot::step() [rad]
 
 /// Number of equal steps in which a straight motion is checked: rows of kRowStep, each divided at
 /// `resolution`. check() replays the plan at the same configurations, so that no collision hides
