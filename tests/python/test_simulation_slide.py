@@ -23,7 +23,7 @@ from graspless.simulation.settings import Slide, Solver
 from graspless.simulation.slide import FAILURES, MEASURES
 from graspless.simulation.slide.conditions import CONDITIONS, draw
 from graspless.simulation.slide.execution import Execution, overhang
-from graspless.simulation.slide.fingers import PAD, rub
+from graspless.simulation.slide.fingers import PAD, WRIST, rub
 from graspless.simulation.slide.kick import Kick
 from graspless.simulation.slide.lift import straight_lift
 from graspless.simulation.slide.program import make_program
@@ -95,6 +95,19 @@ def test_a_rigid_finger_slides_and_lifts_too(model):
     assert measures["lift_height"] > 0.09
     force = plan.task.problem.hand.press_force
     assert 0.8 * force < measures["mean_force"] < 1.5 * force
+
+
+def test_a_finger_that_holds_a_force_does_not_pull_the_arm_to_the_object():
+    document = yaml.safe_load(CARD.read_text())
+    document["hand"] = {"finger_model": "rigid_guarded"}
+    execution = Execution(graspless.plan(document), Variation(), Slide())
+    judge, data, given_way = execution.judge, execution.data, []
+    for phase in execution.steps("press"):
+        if phase == "press" and judge.tip_force(data) == 0:
+            given_way.append(max(abs(float(data.joint(f"{WRIST}{axis}").qpos[0])) for axis in "xyz"))
+    assert len(given_way) > 100  # steps in the air
+    assert max(given_way) < 0.005
+    assert judge.tip_force(data) > 0
 
 
 PAD_LINK = """<link name="left_pad">

@@ -77,6 +77,7 @@ class Execution:
         self._slid_after = ("lift", following) if yields else ("slide", "lift")
         self._slid: Any = None  # the pose of the object after the slide
         self._kick = Kick(variation)
+        self._presses = False
         self._lags = lags(plan.task.problem.robot)
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
@@ -140,15 +141,18 @@ class Execution:
         self._press(command.phase)
 
     def _press(self, phase: str) -> None:
-        """Presses a finger that holds a force onto the object, however low that is.
+        """Presses a finger that holds a force onto the object, from their contact to the lift.
 
-        The spring of the wrist holds the finger across the force, not along it.
+        The finger that has not touched by the end of the press moves down until it does. The spring
+        of the wrist holds it across the force, not along it.
         """
         problem = self.plan.task.problem
         if problem.hand.finger_model == "rigid_guarded":
             data, up = self.data, np.array(problem.support.normal_W)
             force = 0.0
-            if phase in ("press", "slide"):
+            touches = phase == "press" and (self._presses or self.judge.tip_force(data) > 0)
+            self._presses = touches or phase == "slide"
+            if self._presses:
                 joints = [data.joint(f"{WRIST}{axis}") for axis in "xyz"]
                 given_way = sum(float(joint.qpos[0]) * joint.xaxis for joint in joints) @ up
                 force = problem.hand.press_force - self.settings.guarded_stiffness * given_way
