@@ -103,14 +103,21 @@ def test_every_part_of_an_obstacle_is_drawn_from_above(plan):
         return geometry.PlacedShape(geometry.Box([0.05, 0.05, 0.05]), frames.translation([x, 0, 0]))
 
     given = plan.task.problem
-    gate = slide.Obstacle("gate", [at(0.4), at(0.9)], frames.translation([0.0, -0.7, 0.3]))
+    gate = slide.Obstacle("gate", [at(0.4), at(0.9)], frames.translation([0.0, -0.2, 0.3]))
+    gone = slide.Obstacle("gone", [at(0.4)], frames.translation([0.0, 5.0, 0.3]))
     problem = slide.Problem(
-        given.robot, given.hand, given.object, given.support, given.X_WO_start, given.q_home, [gate]
+        given.robot,
+        given.hand,
+        given.object,
+        given.support,
+        given.X_WO_start,
+        given.q_home,
+        [gate, gone],
     )
     axes = pictures.draw(slide.plan(problem, budget=planning.Budget(iterations=0))).axes[0]
     drawn = [patch.get_xy()[:, 0] for patch in axes.patches if patch.get_fc()[:3] == OBSTACLE]
     spans = sorted([x.min(), x.max()] for x in drawn)
-    np.testing.assert_allclose(spans, [[0.375, 0.425], [0.875, 0.925]], atol=1e-9)
+    np.testing.assert_allclose(spans, [[0.375, 0.425], [0.375, 0.425], [0.875, 0.925]], atol=1e-9)
     assert [text.get_text() for text in axes.texts] == ["gate"]
 
 
@@ -230,13 +237,14 @@ def test_busy_port(plan):
             view.serve(plan, port)
 
 
-def test_raster_hides_what_is_behind():
+def cube(color):
     import trimesh
 
-    def cube(color):
-        mesh = trimesh.creation.box([1, 1, 1])
-        return bodies.Body("", [bodies.Part(mesh.vertices, mesh.faces, color)])
+    mesh = trimesh.creation.box([1, 1, 1])
+    return bodies.Body("", [bodies.Part(mesh.vertices, mesh.faces, color)])
 
+
+def test_raster_hides_what_is_behind():
     camera = raster.Camera(np.array([6.0, 0.0, 0.1]), np.zeros(3), angle=0.5)
     red, blue = cube((1.0, 0.0, 0.0)), cube((0.0, 0.0, 1.0))
     placed = [(red, np.eye(4)), (blue, frames.translation([-2.0, 0.6, 0.0]))]
@@ -250,6 +258,19 @@ def test_raster_hides_what_is_behind():
         assert len(seen) > 5  # the far cube looks out on the right, at +y
         assert seen.min() > 60
         assert picture[2, 2, 3] == 0
+
+
+def test_an_obstacle_before_the_object_lets_it_through():
+    camera = raster.Camera(np.array([6.0, 0.0, 0.1]), np.zeros(3), angle=0.5)
+    red, blue = cube((1.0, 0.0, 0.0)), cube((0.0, 0.0, 1.0))
+    alone = raster.render([(red, np.eye(4))], camera, 120, 90)
+    for x, y, hides in ((2.0, 0.0, True), (2.0, 1.2, False), (-2.0, 0.0, False)):
+        beside, placed = [(blue, frames.translation([x, y, 0.0]))], [(red, np.eye(4))]
+        picture = raster.render_past(beside, placed, np.zeros(3), camera, 120, 90)
+        whole = raster.render([*placed, *beside], camera, 120, 90)
+        assert (whole[45, 60, 0] < 0.1) == hides
+        assert np.array_equal(picture, whole) != hides
+        assert picture[45, 60, 0] > 0.8 * alone[45, 60, 0]
 
 
 def test_camera_fits_every_point():

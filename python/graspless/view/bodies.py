@@ -13,7 +13,6 @@ from .. import frames, geometry
 from .._xml import origin, parse
 from ..errors import TaskError
 from ..tasks.meshes import prepare_meshes
-from ..tasks.obstacles import OF_SCENE
 from ..tasks.robots import robot_meshes
 from .visuals import UnreadableError, read_visual, warn_once
 
@@ -35,7 +34,7 @@ OBJECT: Color = (0.95, 0.65, 0.15)
 TABLE: Color = (0.80, 0.72, 0.60)
 OBSTACLE: Color = (0.45, 0.55, 0.68)
 TRAIL: Color = (0.78, 0.10, 0.32)
-WIDE = 1.5  # from here on, a support of a scene need not fit into a picture [m]
+WIDE = 1.5  # from here on, an obstacle need not fit into a picture [m]
 FINGER: Color = (0.22, 0.58, 1.00)
 LOOP: Color = (0.10, 0.55, 0.60)
 GHOST: Color = (0.35, 0.55, 0.95)
@@ -126,13 +125,9 @@ def vertices_of(placed: Iterable[tuple[Body, Matrix]]) -> Matrix:
     )
 
 
-def without_floors(placed: Iterable[tuple[Body, Matrix]]) -> list[tuple[Body, Matrix]]:
-    """Returns placed bodies without wide obstacles of a scene, which a picture may cut off."""
-    return [
-        one
-        for one in placed
-        if not one[0].name.startswith(OF_SCENE) or np.ptp(vertices_of([one]), axis=0).max() < WIDE
-    ]
+def without_wide(placed: Iterable[tuple[Body, Matrix]]) -> list[tuple[Body, Matrix]]:
+    """Returns placed bodies without floors and walls, which a picture may cut off."""
+    return [one for one in placed if np.ptp(vertices_of([one]), axis=0).max() < WIDE]
 
 
 def obstacles(task: Task) -> list[tuple[Body, Matrix]]:

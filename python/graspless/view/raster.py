@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .bodies import Body
 
 SHADOW_SIZE = 700  # pixels along a side of the shadow map
+GLASS = 0.15  # opacity
 BLOCK, CHUNK = 12, 1000  # side of small triangles [pixels], and how many are drawn at once
 
 
@@ -131,12 +132,40 @@ def render(
     return np.clip(mean, 0, 1)
 
 
+def render_past(
+    obstacles: Sequence[tuple[Body, Matrix]],
+    placed: Sequence[tuple[Body, Matrix]],
+    p_W: Matrix,
+    camera: Camera,
+    width: int,
+    height: int,
+) -> Matrix:
+    """Renders bodies and obstacles; obstacles between the viewer and a point [3] are of glass."""
+    hiding = [_hides(one, p_W, camera) for one in obstacles]
+    clear = [one for one, hides in zip(obstacles, hiding, strict=True) if not hides]
+    picture = render([*placed, *clear], camera, width, height)
+    if not any(hiding):
+        return picture
+    return over(render([*placed, *obstacles], camera, width, height), picture, GLASS)
+
+
 def over(front: Matrix, back: Matrix, share: float) -> Matrix:
     """Returns a picture with another in front of it, at `share` of that one's opacity."""
     weight = share * front[..., 3:]
     opacity = weight + (1 - weight) * back[..., 3:]
     color = weight * front[..., :3] + (1 - weight) * back[..., 3:] * back[..., :3]
     return np.concatenate([color / np.maximum(opacity, 1e-6), opacity], axis=2)
+
+
+def _hides(placed: tuple[Body, Matrix], p_W: Matrix, camera: Camera) -> bool:
+    """Returns True if a body is between the viewer and a point [3]."""
+    scene = _gather([placed])
+    screen = camera.project(scene["points"], 1, 1)[scene["faces"]]
+    point = np.broadcast_to(camera.project([p_W], 1, 1), (len(screen), 3))
+    with np.errstate(divide="ignore", invalid="ignore"):  # triangles that are seen edge on
+        weights = _weights(screen, point[:, 0], point[:, 1])
+        near: Matrix = 1 / (weights / screen[:, :, 2]).sum(axis=1)
+    return bool(((weights >= 0).all(axis=1) & (near > point[:, 2])).any())
 
 
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:

@@ -53,7 +53,7 @@ Description gripper() {
 }
 
 Mount tool(const std::string& prefix = "") {
-  Mount mount{"tool0", Eigen::Isometry3d::Identity(), prefix};
+  Mount mount{"tool0", Eigen::Isometry3d::Identity(), prefix, {}};
   mount.X_MG.translation() << 0.1, 0.2, 0.3;
   mount.X_MG.linear() = (Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()) *
                          Eigen::AngleAxisd(-0.5, Eigen::Vector3d::UnitY()) *

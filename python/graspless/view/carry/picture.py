@@ -28,7 +28,11 @@ def draw(plan: Plan) -> Figure:
     rows = [0, last // 2, last] if last > 1 else [0]
     captions = ["1  start", "2  halfway", "3  goal"] if len(rows) > 1 else ["start"]
     view = camera(scene, rows, PANEL)
-    drawn = [raster.render([*scene.still, *scene.moving(row)], view, *PANEL) for row in rows]
+    places = shown.object_poses[:, :3, 3]
+    drawn = [
+        raster.render_past(scene.still, scene.moving(row), places[row], view, *PANEL)
+        for row in rows
+    ]
     return panels(headline(plan), list(zip(drawn, captions, strict=True)))
 
 

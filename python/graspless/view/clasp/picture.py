@@ -14,7 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from ... import frames
 from ...report import the
 from .. import raster
-from ..bodies import LOOP
+from ..bodies import LOOP, vertices_of
 from ..figures import INK, draw_panel, failure, new_figure
 from ..loops import draw_cloud
 from . import bodies, stage
@@ -48,7 +48,7 @@ def draw(plan: Plan) -> Figure:
     places = [grid[0, 0], grid[0, 1], grid[0, 2]] if len(rows) > 1 else [grid[:, :2]]
     for place, (row, caption) in zip(places, rows, strict=True):
         axes = figure.add_subplot(place)
-        draw_panel(axes, _render(scene.solid(row), scene.lines(row), view), caption, pad=3)
+        draw_panel(axes, _render(scene, row, scene.solid(row), view), caption, pad=3)
         if row == 0 or len(rows) == 1:
             _draw_tree(axes, plan, view)
     if len(rows) > 1:
@@ -56,7 +56,7 @@ def draw(plan: Plan) -> Figure:
         last = rows[-1][0]
         near = stage.close_camera(scene, last, PANEL)
         axes = figure.add_subplot(grid[1, 1])
-        picture = _render(scene.solid(last, near), scene.lines(last), near)
+        picture = _render(scene, last, scene.solid(last, near), near)
         draw_panel(axes, picture, "close-up: finger curves and chords", pad=3)
         _draw_linking(_inset(figure, grid[1, 2]), plan, shown)
     else:
@@ -79,9 +79,11 @@ def headline(plan: Plan) -> str:
     return f"{problem.robot.name} clasps {the(problem.object.name)}{which}: {margin}"
 
 
-def _render(solid: Placed, lines: Placed, view: Camera) -> Matrix:
-    """Renders a scene in which loops and curves show through whatever hides them."""
-    whole = raster.render([*solid, *lines], view, *PANEL)
+def _render(scene: stage.Scene, row: int, solid: Placed, view: Camera) -> Matrix:
+    """Renders a row in which loops and curves show through whatever hides them."""
+    lines, thing = scene.lines(row), (scene.object, scene.shown.object_poses[row])
+    middle = vertices_of([thing]).mean(axis=0)
+    whole = raster.render_past(scene.obstacles, [*solid, *lines], middle, view, *PANEL)
     if not lines:
         return whole
     return raster.over(raster.render(lines, view, *PANEL), whole, THROUGH)

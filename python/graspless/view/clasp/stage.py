@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ... import frames
-from ..bodies import obstacles, vertices_of, without_floors
+from ..bodies import obstacles, vertices_of, without_wide
 from ..raster import Camera
 from . import bodies
 from .film import linking
@@ -39,10 +39,10 @@ class Scene:
         self.marks = [body for body in marks if body.parts]
 
     def solid(self, row: int, around: Camera | None = None) -> list[tuple[Body, Matrix]]:
-        """Returns robot, object and obstacles in the world; for a close-up, only nearby links."""
+        """Returns robot and object in the world; for a close-up, only nearby links."""
         links = zip(self.links, self.shown.link_poses[row], strict=True)
         near = [(body, X) for body, X in links if around is None or _is_near(body, X, around)]
-        found = [(self.object, self.shown.object_poses[row]), *self.obstacles, *near]
+        found = [(self.object, self.shown.object_poses[row]), *near]
         return [(body, X_WB) for body, X_WB in found if body.parts]
 
     def lines(self, row: int) -> list[tuple[Body, Matrix]]:
@@ -74,7 +74,8 @@ def camera(scene: Scene, rows: Sequence[int], shape: tuple[int, int]) -> Camera:
     shape : tuple of int
         Width and height of the picture.
     """
-    points = np.concatenate([vertices_of(without_floors(scene.solid(row))) for row in rows])
+    moving = (body for row in rows for body in scene.solid(row))
+    points = vertices_of([*without_wide(scene.obstacles), *moving])
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     toward = direction(scene.plan, scene.shown)
     eye = middle + 3.5 * float(np.ptp(points, axis=0).max()) * toward

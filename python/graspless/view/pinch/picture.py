@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ...report import the
 from ...report.pinch import width
 from .. import raster
+from ..bodies import obstacles
 from ..figures import failure, panels
 from ..slide.film import film
 from ..slide.stage import camera, placed
@@ -29,7 +30,11 @@ def draw(plan: Plan) -> Figure:
     moments = [(row, f"{k}  {text}") for k, (row, text) in enumerate(found, start=1)]
     moments = moments or [(0, "start")]
     view = camera(shown, *PANEL, [row for row, _ in moments])
-    drawn = [(raster.render(placed(shown, row), view, *PANEL), text) for row, text in moments]
+    beside, places = obstacles(plan.task), shown.object_poses[:, :3, 3]
+    drawn = [
+        (raster.render_past(beside, placed(shown, row), places[row], view, *PANEL), text)
+        for row, text in moments
+    ]
     return panels(headline(plan), drawn)
 
 

@@ -44,11 +44,12 @@ def draw(plan: Plan) -> Figure:
     )  # fmt: skip
     _draw_slide(figure.add_subplot(grid[:, 0]), shown)
     camera = stage.camera(shown, *PANEL)
-    moments = stage.moments(shown)
+    moments, beside = stage.moments(shown), obstacles(plan.task)
     for k, (row, caption) in enumerate(moments):
         alone = len(moments) == 1
         axes = figure.add_subplot(grid[:, 1:] if alone else grid[k // 2, 1 + k % 2])
-        picture = raster.render(stage.placed(shown, row), camera, *PANEL)
+        p_WO, around = shown.object_poses[row][:3, 3], stage.placed(shown, row)
+        picture = raster.render_past(beside, around, p_WO, camera, *PANEL)
         draw_panel(axes, picture, caption, pad=3)
     _draw_key(figure, shown)
     figure.suptitle(headline(plan), x=0.045, y=0.975, ha="left", fontsize=14, color=INK)
@@ -110,16 +111,18 @@ def _draw_slide(axes: Any, shown: Film) -> None:
     for core in [] if is_left else getattr(support.goal_band, "core", []):
         ring = np.asarray(core.vertices)
         _fill(axes, ring, facecolor=TABLE, edgecolor=BAND_EDGE, linewidth=0.8, zorder=2)
-    rings: dict[str, Matrix] = {}  # the largest of each obstacle
+    rings: dict[str, list[Matrix]] = {}
     for body, X_WB in obstacles(task):
         points_S = [frames.transform(X_SW @ X_WB, part.vertices) for part in body.parts]
         of_parts = [hull(points[:, :2]) for points in points_S]
         is_below = max(points[:, 2].max() for points in points_S) < 0
+        order = 0 if is_below else 3
         for ring in of_parts:
-            order = 0 if is_below else 3
-            _fill(axes, ring, facecolor=OBSTACLE, edgecolor=INK, linewidth=0.8, zorder=order)
+            _fill(axes, ring, facecolor=INK, edgecolor=INK, linewidth=1.6, zorder=order)
+        for ring in of_parts:  # hides the lines within
+            _fill(axes, ring, facecolor=OBSTACLE, linewidth=0, zorder=order)
         if not is_below:
-            rings[body.name] = max(of_parts, key=_area)
+            rings[body.name] = of_parts
     outline = np.asarray(thing.outline.vertices)
     poses = [X_SW @ X_WO for X_WO in _along(shown)]
     for k, X_SO in enumerate(poses):
@@ -143,11 +146,16 @@ def _draw_slide(axes: Any, shown: Film) -> None:
         _draw_overhang(axes, shown, outline, poses[-1])
 
 
-def _name_obstacles(axes: Any, rings: dict[str, Matrix]) -> None:
-    """Writes each obstacle's name into it, or beside it if it is too small."""
+def _name_obstacles(axes: Any, rings: dict[str, list[Matrix]]) -> None:
+    """Writes names into the largest part that is seen of each obstacle, or beside a small one."""
     size = 8.0  # [points]
     axes.apply_aspect()
-    for name, ring in rings.items():
+    for name, of_parts in rings.items():
+        clipped = [Path(ring, closed=True).clip_to_bbox(axes.viewLim) for ring in of_parts]
+        seen = [np.asarray(path.vertices) for path in clipped if len(path.vertices)]
+        if not seen:
+            continue
+        ring = max(seen, key=_area)
         width, height = 72 / axes.figure.dpi * np.ptp(axes.transData.transform(ring), axis=0)
         center, low = (ring.min(axis=0) + ring.max(axis=0)) / 2, ring.min(axis=0)
         fits = LETTER * size * len(name) < 0.8 * width and 1.5 * size < height and _is_wide(ring)

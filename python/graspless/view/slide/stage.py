@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..bodies import obstacles, vertices_of, without_floors
+from ..bodies import obstacles, vertices_of, without_wide
 from ..raster import Camera
 from . import bodies
 
@@ -41,12 +41,11 @@ def moments(shown: Film) -> list[tuple[int, str]]:
 
 
 def placed(shown: Film, row: int) -> list[tuple[Body, Matrix]]:
-    """Returns every body with its pose in the world at a row."""
+    """Returns every body but the obstacles, with its pose in the world at a row."""
     task = shown.plan.task
     found = [
         (bodies.table_body(task), np.asarray(task.problem.support.X_WS)),
         (bodies.object_body(task), shown.object_poses[row]),
-        *obstacles(task),
         *zip(shown.robot, shown.link_poses[row], strict=True),
         (bodies.trail_body(shown), np.eye(4)),
     ]
@@ -84,7 +83,8 @@ def camera(shown: Film, width: int, height: int, rows: Sequence[int] | None = No
     direction[2] = 0.62
     eye = middle + 2.7 * direction
     seen = [row for row, _ in moments(shown)] if rows is None else rows
-    points = vertices_of(body for row in seen for body in without_floors(placed(shown, row)))
+    beside = without_wide(obstacles(shown.plan.task))
+    points = vertices_of([*beside, *(body for row in seen for body in placed(shown, row))])
     return Camera(eye, middle).fitted(points, width, height)
 
 
