@@ -17,35 +17,53 @@ constexpr int kMaxSteps = 100;
 constexpr double kTolerance = 1e-12;  // of the rows, relative
 constexpr double kDamping = 1e-13;    // of the Hessian, relative
 
-/// Multipliers, the x that follows from them, and the value of the dual, which is convex and has
-/// the gradient A x - b.
+using Matrix = LeastForces::Matrix;
+using Rows = LeastForces::Rows;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                             LeastForces::kMaxRows, LeastForces::kMaxRows>;
+
+/// Multipliers, the x that follows from them, and the value and gradient of the dual, which is
+/// convex.
 struct Point {
-  Eigen::VectorXd lambda, x;
+  Rows lambda;
+  Eigen::VectorXd x;
   double value;
-  Point(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& at)
-      : lambda(at), x((A.transpose() * at).cwiseMax(0)), value(0.5 * x.squaredNorm() - b.dot(at)) {}
+  Rows gradient;
+  Point(const Matrix& A, const Rows& b, const Rows& at)
+      : lambda(at),
+        x((A.transpose() * at).cwiseMax(0)),
+        value(0.5 * x.squaredNorm() - b.dot(at)),
+        gradient(A * x - b) {}
 };
 
-/// Returns lambda for A x = b.
-std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  const double enough = kTolerance * (1 + b.norm()), damping = kDamping * (1 + A.squaredNorm());
-  Point now(A, b, Eigen::VectorXd::Zero(A.rows()));
-  for (int step = 0; step < kMaxSteps; ++step) {
-    const Eigen::VectorXd gradient = A * now.x - b;
-    if (gradient.norm() <= enough) return now.lambda;
-    Eigen::MatrixXd held = A;
-    for (Eigen::Index j = 0; j < now.x.size(); ++j) {
-      if (now.x[j] <= 0 && step > 0) held.col(j).setZero();
+/// Lower half of the sum of a a^T over the columns a of A at which x is positive; over all columns
+/// without x.
+Square squares(const Matrix& A, const Eigen::VectorXd* x) {
+  Square sum = Square::Zero(A.rows(), A.rows());
+  for (Eigen::Index j = 0; j < A.cols(); ++j) {
+    if (x != nullptr && (*x)[j] <= 0) continue;
+    for (Eigen::Index k = 0; k < A.rows(); ++k) {
+      for (Eigen::Index i = k; i < A.rows(); ++i) sum(i, k) += A(i, j) * A(k, j);
     }
-    Eigen::MatrixXd hessian = held * held.transpose();
+  }
+  return sum;
+}
+
+/// Returns lambda for A x = b.
+std::optional<Rows> multipliers(const Matrix& A, const Rows& b) {
+  const double enough = kTolerance * (1 + b.norm()), damping = kDamping * (1 + A.squaredNorm());
+  Point now(A, b, Rows::Zero(A.rows()));
+  for (int step = 0; step < kMaxSteps; ++step) {
+    if (now.gradient.norm() <= enough) return now.lambda;
+    Square hessian = squares(A, step > 0 ? &now.x : nullptr);
     hessian.diagonal().array() += damping;
-    const Eigen::VectorXd direction = -hessian.ldlt().solve(gradient);
-    const double slope = gradient.dot(direction);
+    const Rows direction = -hessian.ldlt().solve(now.gradient);
+    const double slope = now.gradient.dot(direction);
     const auto is_better = [&](const Point& next, double length) {
       // Near the solution, values differ by less than rounding errors; the gradient still
       // decreases.
       return next.value <= now.value + 1e-4 * length * slope ||
-             (A * next.x - b).norm() <= 0.5 * gradient.norm();
+             next.gradient.norm() <= 0.5 * now.gradient.norm();
     };
     double length = 1;
     Point next(A, b, now.lambda + direction);
@@ -61,8 +79,8 @@ std::optional<Eigen::VectorXd> multipliers(const Eigen::MatrixXd& A, const Eigen
 /// Rows that hold with equality, as A x = b.
 struct Held {
   std::vector<Eigen::Index> rows;
-  Eigen::MatrixXd A;
-  Eigen::VectorXd b;
+  Matrix A;
+  Rows b;
   Held(const LeastForces& problem, const std::vector<bool>& is_held) {
     for (std::size_t i = 0; i < is_held.size(); ++i) {
       if (is_held[i]) rows.push_back(static_cast<Eigen::Index>(i));
@@ -86,7 +104,7 @@ std::optional<Eigen::VectorXd> least_forces(const LeastForces& problem) {
     const auto lambda = multipliers(held.A, held.b);
     if (!lambda) return std::nullopt;
     const Eigen::VectorXd x = (held.A.transpose() * *lambda).cwiseMax(0);
-    const Eigen::VectorXd excess = problem.A * x - problem.upper;
+    const Rows excess = problem.A * x - problem.upper;
     bool changed = false;
     for (std::size_t k = 0; k < held.rows.size(); ++k) {  // releases upper bounds that push
       const auto i = static_cast<std::size_t>(held.rows[k]);

@@ -7,12 +7,18 @@
 
 #include <Eigen/Core>
 
+#include "graspless/mechanics/contact.hpp"
+
 namespace graspless::mechanics {
 
-/// Problem: minimise |x|^2  subject to  A x = upper or A x <= upper (for each row),  x >= 0.
+/// Problem: minimise |x|^2  subject to  A x = upper or A x <= upper (for each row),  x >= 0. The
+/// rows are the balance and a normal force for each finger.
 struct LeastForces {
-  Eigen::MatrixXd A;
-  Eigen::VectorXd upper;
+  static constexpr int kMaxRows = 6 + kMaxFingers;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxRows>;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRows, 1>;
+  Matrix A;
+  Rows upper;
   std::vector<bool> is_equal;
 };
 

@@ -152,7 +152,7 @@ def _name_obstacles(axes: Any, rings: dict[str, list[Matrix]]) -> None:
     axes.apply_aspect()
     for name, of_parts in rings.items():
         clipped = [Path(ring, closed=True).clip_to_bbox(axes.viewLim) for ring in of_parts]
-        seen = [np.asarray(path.vertices) for path in clipped if len(path.vertices)]
+        seen = [ring for ring in (np.asarray(path.vertices) for path in clipped) if len(ring)]
         if not seen:
             continue
         ring = max(seen, key=_area)
