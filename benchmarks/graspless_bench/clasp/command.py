@@ -8,11 +8,10 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from ..arguments import add_output, finish, positive
+from . import GRIDS
 
 if TYPE_CHECKING:
     import argparse
-
-GRIDS = ("paper", "chair", "tolerance", "small", "grasp_rrt", "loops", "holes")
 
 
 def add_parser(experiments: Any) -> None:

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from .. import machine
 from ..pages import write_page
 from ..tables import aligned, printed, write_json
-from . import pictures, tables
-from .command import GRIDS
+from . import GRIDS, pictures, tables
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -13,7 +13,7 @@ from graspless.errors import TaskError, should_be
 from ..bar import collected
 from ..resume import death, rows_of
 from . import work
-from .command import EXPERIMENTS
+from .experiments import EXPERIMENTS
 from .tables import LOST
 
 if TYPE_CHECKING:
