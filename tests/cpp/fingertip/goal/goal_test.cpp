@@ -68,7 +68,7 @@ TEST(Goal, APoseWithRoundedAnglesIsReached) {
   Problem problem = block_problem(X_WO_goal);
   std::get<Goal>(problem.motion).max_tumbles = 2;
   const Options options = coarse();
-  const Plan plan = fingertip::plan(problem, options);
+  const Plan plan = fingertip::plan(problem, options, planning::Budget{100});
   ASSERT_TRUE(plan) << plan.reason;
   expect_holds(problem, options, plan);
   std::get<Goal>(problem.motion).X_WO_goal.translation().x() += 1e-5;
