@@ -49,6 +49,17 @@ TEST(FindFreePath, FindsTheGap) {
   }
 }
 
+TEST(FindFreePath, TestsItsEndsOnce) {
+  FreeSpace space = walled();
+  const Eigen::Vector2d from(0.1, 0.1), to(0.9, 0.1);
+  int tested = 0;
+  space.is_free = [&, is_free = space.is_free](const Eigen::VectorXd& q) {
+    return q == from || q == to ? ++tested <= 2 : is_free(q);
+  };
+  std::mt19937_64 rng(1);
+  EXPECT_TRUE(find_free_path(space, from, to, 5000, rng));
+}
+
 TEST(FindFreePath, EndsWhenTimeIsOutOrAnEndIsTaken) {
   std::mt19937_64 rng(1);
   FreeSpace space = walled();
