@@ -17,6 +17,7 @@ copyright = "2026, The graspless authors"
 extensions = [
     "bindings",
     "breathe",
+    "commands",
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.napoleon",

@@ -309,6 +309,33 @@ def test_picks_an_object_of_an_image(camera, image):
     assert [attempt.status for attempt in result.attempts][0] == "solved"
 
 
+def test_puts_an_object_down_beside_what_the_camera_does_not_see(camera, image):
+    wall = "[{name: wall, box: [0.02, 0.4, 0.6], pose: {position: [0.9, 0, 0.3]}}]"
+    place = "{pose: {x: 0.6, y: 0.2}}"
+    result = pick(camera, *image, obstacles=wall, place=place)
+    assert result.motion.status == "solved", result.motion.reason
+    plan = json.loads(result.motion.plan)
+    last = plan["stages"][-1]
+    np.testing.assert_allclose(last["segments"][-1]["object_poses"][-1][:2], [0.6, 0.2], atol=0.02)
+    for stage in plan["stages"]:
+        assert "wall" in [obstacle["name"] for obstacle in stage["task"]["obstacles"]]
+
+
+@pytest.mark.parametrize(
+    ("given", "reason"),
+    [
+        ({"place": "{pose: [0.6}"}, "goal:2: not valid YAML"),
+        ({"place": "{pose: {x: 0.6}}"}, "place: pose.y: missing"),
+        ({"obstacles": "{name: wall}"}, "obstacles"),
+        ({"obstacles": "[{name: wall, box: [1, 1]}]"}, "obstacles[0].box"),
+    ],
+)
+def test_fields_in_yaml_are_refused_by_name(camera, image, given, reason):
+    result = pick(camera, *image, **given)
+    assert result.motion.status == "refused"
+    assert reason in result.motion.reason
+
+
 @pytest.mark.parametrize("topic", ["depth/image_rect_raw", "depth/image_raw"])
 def test_the_name_of_the_topic_says_whether_images_are_rectified(camera, topic):
     image, info, found = picture()

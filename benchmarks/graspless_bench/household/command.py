@@ -26,7 +26,7 @@ def add_parser(experiments: Any) -> None:
         help="objects of a folder: seen, picked up, and lifted in MuJoCo",
         description="Drops each mesh of a folder onto a table that is square, round or L-shaped, "
         "every other time beside two others. Renders what noisy depth cameras see, picks the "
-        "object up by whichever way works, and executes the plan in MuJoCo, slides in closed loop, "
+        "object up in whichever way works, and executes the plan in MuJoCo, slides in closed loop, "
         "with the true meshes as convex parts, and with other friction, mass and flexures (needs "
         "`pip install vhacdx`).",
     )

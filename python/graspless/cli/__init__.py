@@ -203,7 +203,7 @@ _COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
     "batch": ("plan many tasks in parallel", _of("..batches.cli")),
     "robot": ("propose, check and join descriptions of robots", _of(".robot")),
     "loops": ("find the holes of a point cloud or a mesh", _of(".loops")),
-    "pick": ("pick up an object of a scene by whichever way works", _of("..picking.cli")),
+    "pick": ("pick up an object of a scene in whichever way works", _of("..picking.cli")),
     "see": ("find tables and objects in depth images", _of("..perception.cli")),
     "demonstrate": ("record the planner in MuJoCo, for learners", _of(".demonstrate")),
     "ros": ("run graspless in ROS 2, or a demo of it", _of("..ros.cli")),

@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         metavar="X Y Z",
         help="positions of the cameras that saw the cloud, three numbers each, in its frame and "
-        "unit; a place without points is then one that rays passed",
+        "unit; gaps between points then count as seen through",
     )
     parser.add_argument(
         "--all-sides",

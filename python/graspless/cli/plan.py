@@ -28,8 +28,8 @@ from ..proving.cli import add_jobs, add_prove, searched
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `plan`."""
     parser.description = (
-        "Plan a task, check the plan and write it. A plan file is written in any case;\n"
-        "if no plan was found, it says why, and an existing solved plan is kept as NAME~."
+        "Plan a task, check the plan and write it. A plan file is written even if no plan\n"
+        "was found: it says why, and an existing solved plan is kept as NAME~."
     )
     codes = exit_codes(
         "no plan was found, or a plan fails its check or, with --prove, a trial,\n"
@@ -65,7 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--search",
         choices=["dijkstra", "paper", "fast"],
         help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
-        "(fingertip tasks only); kinds but slide and fingertip have a single algorithm",
+        "(fingertip tasks only); all other kinds have a single algorithm",
     )
     parser.add_argument(
         "--certify",

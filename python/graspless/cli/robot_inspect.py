@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds description and arguments of `robot inspect`."""
     parser.description = (
         "Propose what a URDF does not contain: joints of arm and hand, open and closed states, "
-        "frames of fingertip and grasp, a home, and pairs of links that need no test. The files "
+        "frames of fingertip and grasp, a home, and pairs of links not to be tested. The files "
         "that are written are ready for tasks. The exit code is 1 if `robot check` finds a fault "
         "in them."
     )

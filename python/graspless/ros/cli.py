@@ -12,7 +12,7 @@ from . import require_ros
 
 WHAT = {
     "node": "Run the actions plan_task and pick_object and the service check_plan. "
-    "docs/howto/ros2.md lists the parameters.",
+    "`ros2 param describe /graspless NAME` says what a parameter means.",
     "fake-robot": "Run a simulated robot with the controllers of ros2_control and a depth camera.",
     "demo": "Run the simulated robot and the node on this computer alone, and pick up a bar: from "
     "the image to the lift.",

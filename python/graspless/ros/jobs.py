@@ -74,7 +74,9 @@ class PickJob:
         Field `robot` of a task.
     strategies, respect, padding, lift, mass, grip_force, seed, seconds
         As in `graspless.pick`.
-    measured, tolerance, limits, squeeze
+    obstacles, place : str
+        As in `graspless.pick`, in YAML; empty: none.
+    measured, tolerance, limits, squeeze, directory
         As in TaskJob.
     """
 
@@ -88,7 +90,9 @@ class PickJob:
     strategies: tuple[str, ...] = ("pinch", "rim", "slide", "clasp")
     respect: str = "objects"
     padding: float = 0.0
+    obstacles: str = ""
     lift: float = 0.1
+    place: str = ""
     mass: float | None = None
     grip_force: float | None = None
     seed: int = 1
@@ -97,6 +101,7 @@ class PickJob:
     tolerance: float = 0.0
     limits: dict[str, Any] = field(default_factory=dict)
     squeeze: float = 0.0
+    directory: str | None = None
 
 
 @dataclass(frozen=True)

@@ -93,7 +93,9 @@ class Requests:
             strategies=tuple(asked.strategies) or STRATEGIES,
             respect=asked.respect or "objects",
             padding=asked.padding,
+            obstacles=asked.obstacles,
             lift=asked.lift or 0.1,
+            place=asked.place,
             mass=asked.mass or None,
             grip_force=asked.grip_force or None,
             seed=asked.seed or 1,
@@ -102,6 +104,7 @@ class Requests:
             tolerance=s.start_tolerance,
             limits=s.limits | {"rate": s.trajectory_rate},
             squeeze=s.squeeze,
+            directory=s.task_directory or None,
         )
 
     def _robot(self, name: str) -> dict[str, Any]:

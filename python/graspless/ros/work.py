@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import signal
+import textwrap
 import time
 import warnings
 from dataclasses import replace
@@ -91,8 +92,7 @@ def _checked(job: CheckJob) -> Found:
 
 def _planned(job: TaskJob, tell: Callable[[str], object]) -> Found:
     document = parse_yaml(job.text, "task").data
-    if job.directory is not None:
-        os.chdir(job.directory)
+    _enter(job.directory)
     if isinstance(document, dict) and isinstance(document.get("robot"), dict):
         document = document | {"robot": _robot(document["robot"], job)}
     began = time.monotonic()
@@ -101,6 +101,12 @@ def _planned(job: TaskJob, tell: Callable[[str], object]) -> Found:
     tell("planning")
     search = _api.plan_certified if job.certify else _api.plan_since
     return _finished(search(task, began), Found(), job, tell)
+
+
+def _enter(directory: str | None) -> None:
+    """Enters the folder of the files that tasks name."""
+    if directory is not None:
+        os.chdir(directory)
 
 
 def _robot(given: dict[str, Any], job: TaskJob) -> dict[str, Any]:
@@ -122,12 +128,15 @@ def _at_home(given: dict[str, Any], job: TaskJob | PickJob, file: str) -> dict[s
 
 
 def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
+    texts = {"obstacles": job.obstacles, "place": job.place}
+    given = {name: _field(name, text) for name, text in texts.items() if text}
     tell("seeing")
     scene = perception.perceive_views([_view(job)])
     if not scene:
         return Found("nothing_seen", reason=f"nothing was found in the image: {scene.reason}")
     found = Found(objects=[(thing.name, np.array(thing.X_WO)) for thing in scene.objects])
     found.warnings = list(scene.warnings)
+    _enter(job.directory)
     try:
         found.name = job.name or _name_at(scene, job.at)
         tell("planning")
@@ -143,6 +152,7 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
             padding=job.padding,
             seconds=job.seconds,
             seed=job.seed,
+            **given,
         )
     except TaskError as error:
         found.reason = str(error)
@@ -153,6 +163,11 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
         found.status, found.reason = "not_found", result.reason
         return found
     return _finished(result.plan, found, job, tell)
+
+
+def _field(name: str, text: str) -> Any:
+    """Returns a field of a task in YAML."""
+    return parse_yaml(f"{name}:\n{textwrap.indent(text, '  ')}", "goal").data[name]
 
 
 def _view(job: PickJob) -> perception.View:
