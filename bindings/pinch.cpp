@@ -44,7 +44,8 @@ void bind_pinch(py::module_ m) {
   bind_front_door<Problem, Options, Plan>(
       m,
       "Plans the motion: approach, grasp and close.\n\nFinding no plan is a status, not an error.",
-      "Checks a plan against its problem by an independent replay.");
+      "Checks a plan against its problem by an independent replay.",
+      [](const Problem& problem) { validate(problem, false); });
   bind_certify<Problem, Options, Plan>(m, "nothing touches that may not.");
 }
 

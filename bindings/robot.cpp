@@ -289,19 +289,21 @@ void bind_ik(py::module_& m) {
       "Closed form for most arms of six or seven revolute joints, damped least squares for any "
       "other chain.")
       .def(py::init([](const Robot& robot, const Key& frame, const Group& group, double tolerance,
-                       int max_iterations, int restarts, int free_samples) {
-             const Ik::Options options{tolerance, max_iterations, restarts, free_samples};
+                       double lean, int max_iterations, int restarts, int free_samples) {
+             const Ik::Options options{tolerance, lean, max_iterations, restarts, free_samples};
              return RobotIk{
                  robot, Ik(robot, frame_index(robot, frame), joint_indices(robot, group), options)};
            }),
            py::arg("robot"), py::arg("frame"), py::arg("group"), py::kw_only(),
-           py::arg("tolerance") = defaults.tolerance,
+           py::arg("tolerance") = defaults.tolerance, py::arg("lean") = defaults.lean,
            py::arg("max_iterations") = defaults.max_iterations,
            py::arg("restarts") = defaults.restarts, py::arg("free_samples") = defaults.free_samples,
            "frame: a link's name or index. group: a group's name, or joint indices from the base "
            "outwards.\n"
-           "tolerance: largest pose error of a solution [m, rad]. max_iterations: of least "
-           "squares, per attempt.\n"
+           "tolerance: largest pose error of a solution [m, rad]. lean: angle error that is "
+           "allowed where least squares cannot turn the frame further, as with five joints; at "
+           "most 0.1 [rad].\n"
+           "max_iterations: of least squares, per attempt. "
            "restarts: random restarts of least squares. free_samples: values of the free joint "
            "tried in closed form, at most 10000.\n\nRaises ValueError if a joint of the group does "
            "not move the "

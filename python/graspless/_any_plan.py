@@ -109,7 +109,7 @@ class AnyPlan:
 
     def __repr__(self) -> str:
         plan = self._any
-        rows = ", ".join(f"{segment.name} {len(segment)}" for segment in plan.segments)
+        rows = ", ".join(f"{segment.name} {len(segment)}" for segment in plan.segments if plan)
         proof = "" if self.proof is None else f"; {self.proof}"
         return f"<{self.kind} plan, {plan.status}: {rows or plan.reason}{proof}>"
 

@@ -5,7 +5,9 @@
 import ast
 import json
 import pathlib
+import sys
 import webbrowser
+from types import SimpleNamespace
 
 import pytest
 
@@ -41,6 +43,24 @@ def test_runs(path, monkeypatch, capsys):
     assert len(opened) == 1
     pathlib.Path(opened[0].removeprefix("file://")).unlink()
     assert capsys.readouterr().out
+
+
+@pytest.mark.parametrize("known", [False, True])
+def test_a_notebook_that_ran_no_magic_shows_figures(monkeypatch, known):
+    from matplotlib.figure import Figure
+
+    from graspless.view import notebook
+
+    printers = {Figure: print} if known else {}
+    formatters = {"image/png": SimpleNamespace(type_printers=printers)}
+    shell = SimpleNamespace(kernel=1, display_formatter=SimpleNamespace(formatters=formatters))
+    asked = []
+    tools = SimpleNamespace(select_figure_formats=lambda *given: asked.append(given))
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setitem(sys.modules, "IPython.core", SimpleNamespace(pylabtools=tools))
+    monkeypatch.setitem(sys.modules, "IPython.core.pylabtools", tools)
+    notebook.let_figures_show()
+    assert asked == ([] if known else [(shell, {"png"})])
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

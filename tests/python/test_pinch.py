@@ -128,7 +128,7 @@ def pickled(value):
     ("fields", "status", "words"),
     [
         ({"object__rectangle": {"size": [0.2, 0.118]}}, "too_wide", "118 mm wide where it is"),
-        ({"object__thickness": 0.004}, "too_flat", "4 mm high; "),
+        ({"object__thickness": 0.004}, "too_flat", "4.0 mm high; "),
         ({"options": {"max_lever": 0.0}, "object__com": [0.055, 0.0]}, "too_slippery", "centre of"),
     ],
 )

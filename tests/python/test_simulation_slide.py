@@ -104,7 +104,9 @@ def test_a_finger_that_holds_a_force_does_not_pull_the_arm_to_the_object():
     judge, data, given_way = execution.judge, execution.data, []
     for phase in execution.steps("press"):
         if phase == "press" and judge.tip_force(data) == 0:
-            given_way.append(max(abs(float(data.joint(f"{WRIST}{axis}").qpos[0])) for axis in "xyz"))
+            given_way.append(
+                max(abs(float(data.joint(f"{WRIST}{axis}").qpos[0])) for axis in "xyz")
+            )
     assert len(given_way) > 100  # steps in the air
     assert max(given_way) < 0.005
     assert judge.tip_force(data) > 0

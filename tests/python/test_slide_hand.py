@@ -56,6 +56,60 @@ def test_arm_of_five_joints_pinches_from_above(tmp_path):
     assert graspless.check(pinched) == []
 
 
+@pytest.fixture(scope="module")
+def five_joints(tmp_path_factory):
+    """Field `robot` of a gripper on an arm of five joints, whose hand can hang straight down."""
+    folder = tmp_path_factory.mktemp("five")
+    fixed = 'name="joint_3" type="fixed"'
+    urdf = small.gripper().replace('name="joint_3" type="revolute"', fixed)
+    robot.inspect(robot.Robot.from_urdf(urdf), name="mine").write(folder)
+    return {"urdf": str(folder / "mine.urdf")}
+
+
+@pytest.mark.parametrize("tilt", [2e-4, 2e-3, 8e-3])
+@pytest.mark.parametrize("axis", [0, 1])
+def test_arm_of_five_joints_leans_with_the_table(five_joints, tilt, axis):
+    """Cameras and mounts are level within tenths of a degree."""
+    box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06, "mass": 0.05}
+    rpy = [0.0, 0.0, 0.0]
+    rpy[axis] = tilt
+    support = {"rectangle": {"size": [0.4, 0.5]}, "pose": {"position": [0.45, 0, 0], "rpy": rpy}}
+    box["pose"] = {"x": -0.03, "y": 0.05, "yaw": 0.3}
+    lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.05}}
+    side = {"name": "side", "kind": "carry", "offset": [0, -0.08, 0]}
+    stages = [{"name": "pinch", "kind": "pinch"}, lift]
+    stages += [side] if tilt < 5e-3 else []  # a hand that leans turns with the arm
+    task = {"kind": "chain", "robot": five_joints, "object": box, "support": support}
+    done = graspless.plan(task | {"stages": stages})
+    assert done, done.reason
+    assert graspless.check(done) == []
+    assert graspless.check(done, certify=True) == []
+
+
+def test_arm_of_five_joints_puts_down(five_joints):
+    box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06, "mass": 0.05}
+    lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.05}}
+    pose = {"position": [0.45, -0.1, 0], "rpy": [0, 0, 1.0]}
+    place = {"name": "place", "kind": "carry", "place": {"poses": [pose], "on": "support"}}
+    stages = [{"name": "pinch", "kind": "pinch"}, lift, place]
+    task = {"kind": "chain", "robot": five_joints, "object": box, "support": TASK["support"]}
+    done = graspless.plan(task | {"stages": stages})
+    assert done, done.reason
+    assert graspless.check(done) == []
+
+
+def test_what_is_flat_or_far_is_a_result_of_a_pinch(five_joints):
+    thin = TASK["object"] | {"rectangle": {"size": [0.03, 0.03]}, "thickness": 0.004}
+    pinch = {"kind": "pinch", "robot": five_joints, "support": TASK["support"]}
+    found = graspless.plan(pinch | {"object": thin})
+    assert found.status == found.status.too_flat
+    support = {"rectangle": {"center": [2.0, 0.0], "size": [0.4, 0.5]}}
+    far = TASK["object"] | {"thickness": 0.06, "pose": {"x": 2.0, "y": 0.0, "yaw": 0.3}}
+    far["rectangle"] = {"size": [0.1, 0.03]}
+    found = graspless.plan(pinch | {"object": far, "support": support})
+    assert re.search(r"the hand gets at most 1\.\d+ m from '\w+', and its nearest", found.reason)
+
+
 def test_pads_of_a_mesh_are_at_its_end(tmp_path):
     """Fingers of one mesh each, with a bump of 2 mm at their base that touches no object."""
     size, middle = (0.02, 0.01, 0.08), (0, 0.005, 0.04)

@@ -25,13 +25,6 @@ constexpr std::size_t kWaysDown = 3;        // of these, from which the object i
 constexpr std::size_t kWithoutWay = 12;     // such configurations to which trees are grown
 constexpr double kFarAway = -1000;          // height at which nothing is [m]
 
-robot::Ik without_whole_turns(const Problem& problem) {
-  robot::Ik::Options options;
-  options.whole_turns = false;  // they touch the same things
-  return robot::Ik(problem.robot, problem.robot.frame(problem.frame),
-                   problem.robot.group(problem.arm), options);
-}
-
 }  // namespace
 
 PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, planning::Clock& clock,
@@ -41,7 +34,7 @@ PlaceSearch::PlaceSearch(const Problem& problem, const Options& options, plannin
       options_(options),
       clock_(clock),
       rng_(seed),
-      ik_(without_whole_turns(problem)),
+      ik_(make_ik(problem, options, false)),  // whole turns touch the same things
       frame_(problem.robot.frame(problem.frame)),
       X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
       up_O_(places_.X_WO.front().linear().transpose() * places_.normal_W),

@@ -39,6 +39,17 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
   return links;
 }
 
+robot::Ik make_ik(const Problem& problem, const Options& options, bool whole_turns) {
+  const std::vector<int>& joints = problem.robot.group(problem.arm);
+  robot::Ik::Options chosen;
+  if (joints.size() < 6) {
+    chosen.tolerance = options.tolerance / 10;
+    chosen.lean = options.angle_tolerance / 2;
+  }
+  chosen.whole_turns = whole_turns;
+  return robot::Ik(problem.robot, problem.robot.frame(problem.frame), joints, chosen);
+}
+
 void add_obstacles(scene::Scene& scene, int object, const Problem& problem,
                    const Options& options) {
   for (const Obstacle& obstacle : problem.obstacles) {
@@ -69,7 +80,7 @@ Search::Search(const Problem& problem, const Options& options, planning::Clock& 
       options_(options),
       clock_(clock),
       object_path_(problem.object.X_WB, problem.X_WO_goal),
-      ik_(problem.robot, problem.robot.frame(problem.frame), problem.robot.group(problem.arm)),
+      ik_(make_ik(problem, options, true)),
       frame_(problem.robot.frame(problem.frame)),
       X_FO_(problem.robot.pose(frame_, problem.q_start).inverse() * problem.object.X_WB),
       scene_(problem.robot),

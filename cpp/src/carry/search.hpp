@@ -16,6 +16,10 @@
 
 namespace graspless::carry {
 
+/// Inverse kinematics of the frame that holds the object. An arm of fewer than six joints may lean
+/// by half of what a straight path allows: URDFs round right angles, and tables lean.
+robot::Ik make_ik(const Problem& problem, const Options& options, bool whole_turns);
+
 /// Depth-first search over a grid of three coordinates: distance along the path, value of the arm's
 /// free joint, and twist. Each step leads from the configuration in one cell to a neighbouring
 /// cell, straight ahead first.

@@ -27,6 +27,7 @@ constexpr double kUnevenEnd = 0.0035;  // gap left at one finger when the other 
 constexpr double kPressed = 0.001;     // depth of the fingers in the object at the end [m]
 constexpr double kSideways = 0.0025;   // of the hand from its straight line [m]
 constexpr double kTurn = 0.025;        // of the hand on it [rad]
+constexpr double kLean = 0.011;        // of a hand on an arm of fewer than six joints [rad]
 constexpr double kArrived = 0.001;     // height over its end at which the hand may go sideways [m]
 constexpr double kNearer = 2.5e-4;     // of a finger to the object, between waypoints [m]
 constexpr double kPreshaped = 5e-4;    // of joints of a hand that is not quite open [rad or m]
@@ -233,7 +234,8 @@ class Examination {
     }
     Vector3d across = problem_.X_WO_start.linear() * (contact(1) - contact(0));
     across -= n * n.dot(across);  // an object may be tilted a little
-    if (!(std::abs(across.normalized().dot(y)) >= 1 - kSame))
+    const bool may_lean = problem_.robot.group(problem_.hand.arm).size() < 6;
+    if (!(std::abs(across.normalized().dot(y)) >= (may_lean ? std::cos(kLean) : 1 - kSame)))
       fault("plan", "the fingers do not close along the line of contacts");
   }
 
@@ -273,13 +275,13 @@ class Examination {
 }  // namespace
 
 std::vector<std::string> check(const Problem& problem, const Plan& plan, const Options& options) {
-  validate(problem);
+  validate(problem, false);
   validate(options);
   return Examination(problem, plan, options).run();
 }
 
 scene::EdgeCertificate certify(const Problem& problem, const Plan& plan, const Options& options) {
-  validate(problem);
+  validate(problem, false);
   validate(options);
   return Examination(problem, plan, options).certify();
 }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "graspless/pinch/pinch.hpp"
 
 #include "pinch/grasps.hpp"
 #include "planning/obstruction.hpp"
 #include "planning/plan_within.hpp"
+#include "robot/moved_links.hpp"
 #include "scene/rows.hpp"
 #include "slide/contact_space.hpp"
 #include "slide/hand_motion.hpp"
@@ -24,13 +26,17 @@ constexpr double kPast = 0.002;        // by which faces that turn may pass thos
 constexpr std::size_t kSolutions = 4;  // of inverse kinematics, for each hand pose
 constexpr std::size_t kSearched = 4;   // poses to which a tree is grown
 constexpr int kIterations = 400;       // of each
+constexpr const char *kReach = "reach", *kNotFollowed = "straight approach";
 
 /// An arm with fewer than six joints reaches a pose only if its axes are exactly parallel or
-/// square. URDFs round them: 1.5708 for a right angle.
+/// square. URDFs round them, and tables lean: so may the hand.
 robot::Ik make_ik(const Problem& problem, const slide::Arm& arm) {
-  constexpr double kRounded = 2e-5;  // [m], [rad]
+  constexpr double kRounded = 2e-5, kLean = 0.01;  // [m], [rad]
   robot::Ik::Options options;
-  if (arm.joints().size() < 6) options.tolerance = kRounded;
+  if (arm.joints().size() < 6) {
+    options.tolerance = kRounded;
+    options.lean = kLean;
+  }
   options.whole_turns = false;  // they touch the same things
   return robot::Ik(problem.robot, problem.robot.frame(problem.hand.grasp_frame), arm.joints(),
                    options);
@@ -79,29 +85,55 @@ class Search {
   }
 
  private:
+  /// Tries the grasps; where the arm can follow no whole approach, half of it.
   void search(const std::vector<Grasp>& grasps, Plan& plan) {
-    std::vector<Pinch> unreached;  // no straight motion leads there
-    std::size_t tried = 0;
+    plan.reason = beyond_reach(grasps);
+    plan.status = Status::not_reached;
+    if (!plan.reason.empty()) return;
     const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
+    if (search(grasps, count, options_.approach, plan)) return;
+    const bool is_long = statistics_.refusals.count(kNotFollowed) > 0;
+    if (is_long && search(grasps, count, options_.approach / 2, plan)) return;
+    fail(plan);
+  }
+
+  /// Lengths, if all grasps are farther than the arm reaches.
+  std::string beyond_reach(const std::vector<Grasp>& grasps) const {
+    const robot::Robot& robot = problem_.robot;
+    const auto span = robot::span_of(robot, robot.group(problem_.hand.arm),
+                                     robot.frame(problem_.hand.grasp_frame), problem_.q_home);
+    if (!span) return "";
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Grasp& grasp : grasps)
+      nearest = std::min(nearest, (grasp.X_WH.translation() - span->base_W).norm());
+    if (nearest <= span->most) return "";
+    return text_of("the object is out of the arm's reach: the hand gets at most %.2f m from ",
+                   span->most) +
+           "'" + robot.frame_names()[span->base] +
+           text_of("', and its nearest pose is %.2f m from it", nearest);
+  }
+
+  bool search(const std::vector<Grasp>& grasps, std::size_t count, double approach, Plan& plan) {
+    std::vector<Pinch> unreached;  // no straight motion leads there
     for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
       if (!clock_.spend()) break;
-      ++tried;
+      tried_ = std::max(tried_, i + 1);
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
         bool is_uneven = false;
-        std::optional<Pinch> pinch = add_motion(grasps[i], q, is_uneven);
+        std::optional<Pinch> pinch = add_motion(grasps[i], q, approach, is_uneven);
         if (is_uneven) break;  // so it is with every configuration of the arm
         if (!pinch) continue;
-        if (add_approach(*pinch, 0, plan)) return;
+        if (add_approach(*pinch, 0, plan)) return true;
         unreached.push_back(std::move(*pinch));
         break;
       }
     }
     for (const Pinch& pinch : unreached) {
       if (clock_.is_out()) break;
-      if (add_approach(pinch, kIterations, plan)) return;
+      if (add_approach(pinch, kIterations, plan)) return true;
       refuse("no way from home");
     }
-    fail(tried, plan);
+    return false;
   }
 
   void refuse(const std::string& why) { ++statistics_.refusals[why]; }
@@ -112,7 +144,7 @@ class Search {
     ++statistics_.ik_calls;
     std::vector<Eigen::VectorXd> found;
     const auto all = ik_.solve_all(grasp.X_WH, arm_.open(), rng_);
-    if (all.empty()) refuse("reach");
+    if (all.empty()) refuse(kReach);
     for (const Eigen::VectorXd& q : all) {
       if (found.size() == kSolutions) break;
       if (scene_.is_free(q)) {
@@ -127,7 +159,8 @@ class Search {
 
   /// Closes the hand, and moves it straight to where it closes, the last bit sideways if one jaw
   /// opens too little; nothing if it cannot. One finger may touch before the other (`is_uneven`).
-  std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q, bool& is_uneven) {
+  std::optional<Pinch> add_motion(const Grasp& grasp, const Eigen::VectorXd& q, double approach,
+                                  bool& is_uneven) {
     slide::HandMotion::Closing closing = hand_.close(arm_.part(q));
     const auto& [a, b] = closing.touching;
     if (!slide::is_finger_on_object(problem_.hand, a, b)) {
@@ -147,16 +180,16 @@ class Search {
     std::vector<Eigen::Isometry3d> outwards;
     const double shift = grasp.shift;
     const int aside = shift == 0 ? 0 : slide::pieces(std::abs(shift), kGraspStep),
-              steps = slide::pieces(options_.approach, kGraspStep);
+              steps = slide::pieces(approach, kGraspStep);
     for (int i = 1; i <= aside; ++i)
       outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, shift * i / aside, 0));
     for (int i = 1; i <= steps; ++i) {
-      const double back = -options_.approach * i / steps;
+      const double back = -approach * i / steps;
       outwards.push_back(grasp.X_WH * Eigen::Translation3d(0, shift, back));
     }
     const auto out = hand_.track(ik_, arm_.part(q), outwards);
     if (!out) {
-      refuse("straight approach");
+      refuse(kNotFollowed);
       return std::nullopt;
     }
     return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};
@@ -203,9 +236,12 @@ class Search {
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }
 
-  void fail(std::size_t tried, Plan& plan) {
-    plan.reason = "none of " + std::to_string(tried) + " hand poses works" +
-                  planning::obstruction(statistics_.refusals, clock_.ran_out());
+  /// Poses out of reach, such as those from a side, say the least.
+  void fail(Plan& plan) {
+    auto refusals = statistics_.refusals;
+    if (refusals.size() > 1) refusals.erase(kReach);
+    plan.reason = "none of " + std::to_string(tried_) + " hand poses works" +
+                  planning::obstruction(refusals, clock_.ran_out());
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
   }
 
@@ -214,6 +250,7 @@ class Search {
   planning::Clock& clock_;
   std::mt19937_64 rng_;
   Statistics statistics_;
+  std::size_t tried_ = 0;  // hand poses
   Jaw jaw_;
   slide::Arm arm_;
   robot::Ik ik_;
@@ -226,7 +263,7 @@ class Search {
 Plan plan(const Problem& problem, const Options& options, const planning::Budget& budget) {
   planning::Clock clock(budget, options.max_memory);
   Plan plan = planning::plan_within(clock, "shapes and outlines of fewer corners", [&] {
-    validate(problem);
+    validate(problem, false);
     validate(options);
     return Search(problem, options, clock, budget.seed).run();
   });

@@ -122,9 +122,10 @@ void Poses::finish(Grasps& result) {
     return;
   }
   result.status = Status::too_flat;
-  result.reason = in_mm(problem_.object.thickness()) + " high; the fingers touch its faces " +
-                  in_mm(lowest_) + " or more over the support, which takes a height of " +
-                  in_mm(lowest_ + above());
+  const auto tenths = [](double length) { return text_of("%.1f mm", 1000 * length); };
+  result.reason = tenths(problem_.object.thickness()) + " high; the fingers touch its faces " +
+                  tenths(lowest_) + " or more over the support, which takes a height of " +
+                  tenths(lowest_ + above());
 }
 
 }  // namespace graspless::pinch

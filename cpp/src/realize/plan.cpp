@@ -62,8 +62,8 @@ CarriedPlan refused(CarriedPlan best, int tried, const std::string& last) {
   best.plan.status = Status::not_realized;
   best.plan.reason = best.realization.reason;
   if (tried > 1) {
-    best.plan.reason += "; so failed " + std::to_string(tried - 1) +
-                        " more with fingertips nearer together, the last in " + last;
+    best.plan.reason += "; " + std::to_string(tried - 1) +
+                        " more with fingertips nearer together failed, too, the last: " + last;
   }
   return best;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -14,6 +15,9 @@ constexpr double kDamping = 0.05;  // of the squared error
 constexpr double kLeastDamping = 1e-14;
 constexpr double kMaxStep = 0.5;  // of one joint [rad or m]
 constexpr double kPull = 0.3;     // fraction of the distance to the middle of the limits, per step
+constexpr double kPlaced = 0.02;  // distance from which a frame that may lean is placed exactly [m]
+constexpr double kTurnWeight = 0.01;  // of its angles then, beside its position
+constexpr double kSettled = 0.999;    // a step that leaves more of the angle turns it no further
 
 }  // namespace
 
@@ -28,18 +32,23 @@ Eigen::Matrix<double, 6, 1> pose_error(const Eigen::Isometry3d& X_WA,
   return error;
 }
 
-bool DampedLeastSquares::solve(const Eigen::Isometry3d& X_WF, double tolerance, int max_iterations,
-                               bool pull, Eigen::VectorXd& q) {
+bool DampedLeastSquares::solve(const Eigen::Isometry3d& X_WF, const Ik::Options& options, bool pull,
+                               Eigen::VectorXd& q) {
+  double last_angle = std::numeric_limits<double>::infinity();
   for (int iteration = 0;; ++iteration) {
     robot_.forward_to(frame_, q, X_WL_);
     const Vector6d error = pose_error(X_WL_[frame_], X_WF);
-    if (error.head<3>().norm() <= tolerance && error.tail<3>().norm() <= tolerance) return true;
-    if (iteration == max_iterations || !error.allFinite()) return false;
-    step(error, pull, q);
+    const double distance = error.head<3>().norm(), angle = error.tail<3>().norm();
+    const bool leans = angle <= options.lean && angle > kSettled * last_angle;
+    if (distance <= options.tolerance && (angle <= options.tolerance || leans)) return true;
+    if (iteration == options.max_iterations || !error.allFinite()) return false;
+    const bool is_near = distance <= kPlaced && angle <= 2 * options.lean;
+    step(error, is_near ? kTurnWeight : 1, pull, q);
+    last_angle = angle;
   }
 }
 
-void DampedLeastSquares::step(const Vector6d& error, bool pull, Eigen::VectorXd& q) {
+void DampedLeastSquares::step(Vector6d error, double weight, bool pull, Eigen::VectorXd& q) {
   const auto n = static_cast<Eigen::Index>(group_.size());
   robot_.jacobian(frame_, X_WL_, J_all_);
   J_.resize(6, n);
@@ -50,6 +59,8 @@ void DampedLeastSquares::step(const Vector6d& error, bool pull, Eigen::VectorXd&
     J_.col(i) = J_all_.col(joint);
     wish_[i] = gain * (0.5 * (robot_.lower()[joint] + robot_.upper()[joint]) - q[joint]);
   }
+  J_.bottomRows<3>() *= weight;
+  error.tail<3>() *= weight;
   // Each round holds at least one more joint, so this ends.
   for (Eigen::Index round = 0; round <= n; ++round) {
     solve_free_joints(error, wish_);

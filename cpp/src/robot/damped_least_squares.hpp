@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "graspless/robot/robot.hpp"
+#include "graspless/robot/ik.hpp"
 
 namespace graspless::robot {
 
@@ -23,17 +23,18 @@ class DampedLeastSquares {
   DampedLeastSquares(const Robot& robot, int frame, const std::vector<int>& group)
       : robot_(robot), frame_(frame), group_(group) {}
 
-  /// Moves the group's joints in q until the frame is at X_WF within `tolerance` [m, rad]. With
+  /// Moves the group's joints in q until the frame is at X_WF within the tolerance of the options.
+  /// Where it may lean, and cannot turn further, the position counts more than the angle. With
   /// `pull`, the null space of a redundant arm moves towards the middle of its limits. Returns
   /// false if it does not converge; q is then undefined.
-  bool solve(const Eigen::Isometry3d& X_WF, double tolerance, int max_iterations, bool pull,
+  bool solve(const Eigen::Isometry3d& X_WF, const Ik::Options& options, bool pull,
              Eigen::VectorXd& q);
 
  private:
   using Vector6d = Eigen::Matrix<double, 6, 1>;
   using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-  void step(const Vector6d& error, bool pull, Eigen::VectorXd& q);
+  void step(Vector6d error, double weight, bool pull, Eigen::VectorXd& q);
   void solve_free_joints(const Vector6d& error, const Eigen::VectorXd& wish);
   bool hold_at_limits(const Eigen::VectorXd& q);
 

@@ -80,6 +80,7 @@ void check_group(const Robot& robot, int frame, const std::vector<int>& group) {
 
 void check_options(const Ik::Options& options) {
   if (!(options.tolerance > 0)) throw std::invalid_argument("tolerance must be positive");
+  require(options.lean >= 0 && options.lean <= 0.1, "lean", options.lean, "must lie in [0, 0.1]");
   if (options.max_iterations < 1) throw std::invalid_argument("max_iterations must be positive");
   if (options.restarts < 0) throw std::invalid_argument("restarts must not be negative");
   require(options.free_samples >= 0 && options.free_samples <= 10000, "free_samples",
@@ -217,7 +218,7 @@ struct Ik::Impl {
         answer[joint] =
             attempt > 0 ? uniform(lower, upper, rng) : std::clamp(q[joint], lower, upper);
       }
-      if (!solver.solve(X_WF, options.tolerance, options.max_iterations, attempt > 0, answer))
+      if (!solver.solve(X_WF, options, attempt > 0, answer))
         continue;
       VectorXd values(n);
       for (Eigen::Index i = 0; i < n; ++i) values[i] = answer[group[i]];
@@ -285,9 +286,7 @@ std::optional<VectorXd> Ik::solve_near(const Isometry3d& X_WF, const VectorXd& q
   for (const int joint : impl_->group) {
     answer[joint] = std::clamp(q[joint], impl_->robot.lower()[joint], impl_->robot.upper()[joint]);
   }
-  if (!solver.solve(X_WF, impl_->options.tolerance, impl_->options.max_iterations, false, answer)) {
-    return {};
-  }
+  if (!solver.solve(X_WF, impl_->options, false, answer)) return {};
   return answer;
 }
 

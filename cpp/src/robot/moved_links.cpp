@@ -18,4 +18,12 @@ std::vector<int> moved_links(const Robot& robot, const std::vector<int>& joints,
   return links;
 }
 
+std::optional<Span> span_of(const Robot& robot, const std::vector<int>& arm, int frame,
+                            const Eigen::VectorXd& q) {
+  const auto slides = [&](int joint) { return robot.step_weights()[joint] > 1; };
+  if (std::any_of(arm.begin(), arm.end(), slides)) return std::nullopt;
+  const int base = moved_links(robot, arm, frame, q).front();
+  return Span{base, robot.pose(base, q).translation(), robot.reach(frame)(arm).maxCoeff()};
+}
+
 }  // namespace graspless::robot

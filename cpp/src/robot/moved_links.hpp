@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,5 +15,16 @@ namespace graspless::robot {
 /// empty if none moves it. `q` is any configuration within the limits.
 std::vector<int> moved_links(const Robot& robot, const std::vector<int>& joints, int link,
                              const Eigen::VectorXd& q);
+
+/// How far an arm gets.
+struct Span {
+  int base;                ///< the first link that its joints move
+  Eigen::Vector3d base_W;  ///< origin of that link [m]
+  double most;             ///< largest distance of the frame from there [m]
+};
+
+/// Span of a frame on an arm at q. Nothing for an arm with sliding joints.
+std::optional<Span> span_of(const Robot& robot, const std::vector<int>& arm, int frame,
+                            const Eigen::VectorXd& q);
 
 }  // namespace graspless::robot

@@ -163,25 +163,21 @@ bool can_reach(const Query& query, Plan& plan) {
   constexpr double kSlack = 0.02;  // between the contact and a rigid fingertip [m]
   const Problem& problem = query.problem;
   const robot::Robot& robot = problem.robot;
-  const std::vector<int>& arm = robot.group(problem.hand.arm);
-  const auto slides = [&](int joint) { return robot.step_weights()[joint] > 1; };
-  if (std::any_of(arm.begin(), arm.end(), slides)) return true;
-  const int tip = robot.frame(problem.hand.fingertip);
-  const int first = robot::moved_links(robot, arm, tip, problem.q_home).front();  // see validate()
-  const Eigen::Vector3d base_W = robot.pose(first, problem.q_home).translation();
-  const double reach = robot.reach(tip)(arm).maxCoeff();
-  const Eigen::Vector3d base_S = query.X_WS.inverse() * base_W;
+  const auto span = robot::span_of(robot, robot.group(problem.hand.arm),
+                                   robot.frame(problem.hand.fingertip), problem.q_home);
+  if (!span) return true;
+  const Eigen::Vector3d base_S = query.X_WS.inverse() * span->base_W;
   const Eigen::Vector2d base_O = query.object_start.inverse() * Eigen::Vector2d(base_S.head<2>());
   const double aside = (problem.object.points().colwise() - base_O).colwise().norm().minCoeff();
   const double nearest = std::hypot(aside, base_S.z() - query.top);
   const Options& options = query.options;
   const double bent = contact_shift(problem.hand, depth_band(problem.hand, options).max,
                                     options.pitch, options.pitch);
-  if (nearest <= reach + kSlack + bent) return true;
+  if (nearest <= span->most + kSlack + bent) return true;
   plan.status = Status::no_start_root;
   std::ostringstream out;
   out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: the fingertip"
-      << " gets at most " << reach << " m from '" << robot.frame_names()[first]
+      << " gets at most " << span->most << " m from '" << robot.frame_names()[span->base]
       << "', and the nearest point of the object is " << nearest << " m from it";
   plan.reason = out.str();
   return false;

@@ -228,11 +228,11 @@ class Ik:
     
     Closed form for most arms of six or seven revolute joints, damped least squares for any other chain.
     """
-    def __init__(self, robot: Robot, frame: str | typing.SupportsInt | typing.SupportsIndex, group: str | collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], *, tolerance: typing.SupportsFloat | typing.SupportsIndex = 1e-09, max_iterations: typing.SupportsInt | typing.SupportsIndex = 60, restarts: typing.SupportsInt | typing.SupportsIndex = 12, free_samples: typing.SupportsInt | typing.SupportsIndex = 16) -> None:
+    def __init__(self, robot: Robot, frame: str | typing.SupportsInt | typing.SupportsIndex, group: str | collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex], *, tolerance: typing.SupportsFloat | typing.SupportsIndex = 1e-09, lean: typing.SupportsFloat | typing.SupportsIndex = 0.0, max_iterations: typing.SupportsInt | typing.SupportsIndex = 60, restarts: typing.SupportsInt | typing.SupportsIndex = 12, free_samples: typing.SupportsInt | typing.SupportsIndex = 16) -> None:
         """
         frame: a link's name or index. group: a group's name, or joint indices from the base outwards.
-        tolerance: largest pose error of a solution [m, rad]. max_iterations: of least squares, per attempt.
-        restarts: random restarts of least squares. free_samples: values of the free joint tried in closed form, at most 10000.
+        tolerance: largest pose error of a solution [m, rad]. lean: angle error that is allowed where least squares cannot turn the frame further, as with five joints; at most 0.1 [rad].
+        max_iterations: of least squares, per attempt. restarts: random restarts of least squares. free_samples: values of the free joint tried in closed form, at most 10000.
         
         Raises ValueError if a joint of the group does not move the frame.
         """

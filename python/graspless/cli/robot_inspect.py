@@ -130,7 +130,6 @@ def faults_of(robot: Robot, file: Path) -> list[str]:
 
 def _run(options: argparse.Namespace) -> int:
     from .. import files, progress
-    from ..report import inspection as report
     from ..robot import inspect
     from ..tasks import robots
 
@@ -162,7 +161,7 @@ def _run(options: argparse.Namespace) -> int:
         paths = {"files": [*map(str, written)], "kept": [*map(str, kept)]}
         print(json.dumps(found.to_dict() | paths | {"faults": faults}))
     else:
-        print(report.as_text(found))
+        print(found)
         print("\n".join(f"written: {path}" for path in written))
         for path in kept:
             print(f"kept: {path}, as it was before")

@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from dataclasses import dataclass, field
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
 
     from .._core.robot import Robot
 
+WIDTH = 44  # letters of a column of a table
 SHOWN = ("fingertip", "finger_model", "pitch")  # fields of the hand in a summary
 
 
@@ -79,6 +82,23 @@ class Proposal:
     hand_links: tuple[str, ...] = ()
     largest_gap: float = 0.0
     smallest_gap: float = 0.0
+
+    def __repr__(self) -> str:
+        """Name and counts; `print` shows the findings, as `graspless robot inspect` does."""
+        found = f"{len(self.findings)} findings, {len(self.unsure)} unsure"
+        return f"<proposal for '{self.name}': {found}>"
+
+    def __str__(self) -> str:
+        fields = max(len(finding.field) for finding in self.findings)
+        rows = [f"{'field':{fields}}  {'value':{WIDTH}}  {'reason':{WIDTH}}"]
+        for finding in self.findings:
+            rows += _rows(finding, fields)
+        unsure = ", ".join(finding.field for finding in self.unsure)
+        rows.append(f"unsure, please check: {unsure}" if unsure else "nothing is unsure")
+        return "\n".join(line.rstrip() for line in rows)
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
 
     @property
     def unsure(self) -> list[Finding]:
@@ -190,3 +210,17 @@ class Proposal:
 def _as_yaml(fields: dict[str, Any]) -> str:
     head = "# Proposed by `graspless robot inspect`; docs/task-files.md explains every field.\n"
     return head + yaml.safe_dump(fields, sort_keys=False, default_flow_style=None)
+
+
+def _rows(finding: Finding, fields: int) -> list[str]:
+    values = textwrap.wrap(finding.value, WIDTH) or [""]
+    reason = finding.reason if finding.is_sure else f"UNSURE: {finding.reason}"
+    reasons = textwrap.wrap(reason, WIDTH) or [""]
+    count = max(len(values), len(reasons))
+    values += [""] * (count - len(values))
+    reasons += [""] * (count - len(reasons))
+    names = [finding.field] + [""] * (count - 1)
+    return [
+        f"{name:{fields}}  {value:{WIDTH}}  {why:{WIDTH}}"
+        for name, value, why in zip(names, values, reasons, strict=True)
+    ]

@@ -57,6 +57,9 @@ def figure(plan: Plan) -> Figure:
     if plan:
         require_motion(plan, "draw")
     with _told():
+        from . import notebook
+
+        notebook.let_figures_show()
         drawn: Figure = part("view", plan.kind, "picture").draw(plan)
     return drawn
 

@@ -57,6 +57,20 @@ def html(plan: Plan, draw: Callable[[Plan], Figure]) -> str:
     return f'{text}<img src="data:image/png;base64,{data}" style="max-width: 100%">'
 
 
+def let_figures_show() -> None:
+    """Makes a notebook draw figures of matplotlib, also before `%matplotlib` was run."""
+    if not _in_notebook():
+        return
+    from IPython import get_ipython
+    from IPython.core.pylabtools import select_figure_formats
+    from matplotlib.figure import Figure
+
+    shell: Any = get_ipython()
+    formatters = shell.display_formatter.formatters.values()
+    if not any(Figure in formatter.type_printers for formatter in formatters):
+        select_figure_formats(shell, {"png"})
+
+
 def _frame(page: str) -> str:
     return f'<iframe srcdoc="{escape(page)}" width="100%" height="{HEIGHT}" style="border: 0">'
 

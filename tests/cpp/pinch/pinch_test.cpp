@@ -69,7 +69,7 @@ TEST(Pinch, RefusesByLengths) {
       << wide.reason;
   const Plan flat = pinch::plan(standing(rectangle(0.2, 0.03), 0.005));
   EXPECT_EQ(flat.status, Status::too_flat);
-  EXPECT_EQ(flat.reason.rfind("5 mm high; ", 0), 0U) << flat.reason;
+  EXPECT_EQ(flat.reason.rfind("5.0 mm high; ", 0), 0U) << flat.reason;
 }
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {

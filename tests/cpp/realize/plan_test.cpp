@@ -22,7 +22,7 @@ Problem wide_block() {
 
 CarriedPlan carried(const Problem& problem, const RealizeOptions& options,
                     const Eigen::VectorXd& home = wam_tips().state("home")) {
-  return plan_carried(problem, {}, wam_tips(), t42(), home, options);
+  return plan_carried(problem, {}, wam_tips(), t42(), home, options, planning::Budget{100});
 }
 
 double scrub(const Realization& found) {
@@ -70,7 +70,7 @@ TEST(FingertipPlanCarried, ReasonsSayWhatToChange) {
   EXPECT_EQ(found.plan.status, Status::not_realized);
   EXPECT_CONTAINS(found.plan.reason, " mm: nearer to the robot");
   EXPECT_CONTAINS(found.plan.reason,
-                  "; so failed 1 more with fingertips nearer together, the last in segment 0");
+                  "; 1 more with fingertips nearer together failed, too, the last: segment 0");
 }
 
 TEST(FingertipPlanCarried, AHomeThatTouchesEndsTheSearch) {

@@ -106,11 +106,13 @@ std::vector<VectorXd> by_restarts(const Bench& bench, const Isometry3d& X_WF, co
   std::vector<int> joints = bench.arm.group();
   if (bench.ik.free_joint()) joints.erase(joints.begin() + *bench.ik.free_joint());
   DampedLeastSquares solver(bench.robot, bench.frame, joints);
+  Ik::Options options;
+  options.tolerance = 1e-10;
   std::vector<VectorXd> found;
   for (int i = 0; i < restarts; ++i) {
     VectorXd answer = random_q(bench.robot, rng);
     if (bench.ik.free_joint()) answer[*bench.ik.free_joint()] = bench.free_value(q);
-    if (!solver.solve(X_WF, 1e-10, 60, false, answer)) continue;
+    if (!solver.solve(X_WF, options, false, answer)) continue;
     const auto same = [&](const VectorXd& other) { return (other - answer).norm() < 1e-4; };
     if (std::none_of(found.begin(), found.end(), same)) found.push_back(answer);
   }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/arms.hpp"
+#include "robot/damped_least_squares.hpp"
 #include "robot/robots.hpp"
 
 namespace graspless::robot {
@@ -115,6 +116,44 @@ TEST(Ik, SolveNearFollowsSmallMotions) {
     const VectorXd home = robot.state("home");
     EXPECT_EQ(*ik.solve_near(robot.pose(frame, home), home), home);  // nothing to do
   }
+}
+
+/// Five joints of an arm cannot turn the frame about every axis: a tilted pose is reached with the
+/// least angle that the position leaves.
+TEST(Ik, LeansAsLittleAsFiveJointsCan) {
+  const Robot robot = wam();
+  const int frame = robot.frame("left_fingertip");
+  std::vector<int> five = robot.group("arm");
+  five.erase(five.begin() + 2);
+  five.pop_back();
+  Ik::Options options;
+  options.tolerance = 1e-6;
+  const Ik exact(robot, frame, five, options);
+  options.lean = 0.01;
+  const Ik leaning(robot, frame, five, options);
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> draw(-1, 1);
+  int tilted = 0;
+  for (int i = 0; i < 200; ++i) {
+    VectorXd q = robot.state("home");
+    for (const int joint : five) q[joint] += 0.3 * draw(rng);
+    Isometry3d X_WF = robot.pose(frame, q);
+    EXPECT_TRUE(exact.solve_near(X_WF, robot.state("home")).has_value());
+    const Eigen::Vector3d axis(draw(rng), draw(rng), draw(rng));
+    X_WF.rotate(Eigen::AngleAxisd(0.008, axis.normalized()));
+    if (exact.solve_near(X_WF, q)) continue;
+    const auto found = leaning.solve_near(X_WF, q);
+    ASSERT_TRUE(found) << "case " << i;
+    ++tilted;
+    const auto error = pose_error(robot.pose(frame, *found), X_WF);
+    EXPECT_LE(error.head<3>().norm(), options.tolerance);
+    EXPECT_LE(error.tail<3>().norm(), 0.008);
+    Eigen::MatrixXd J(6, 5);  // moves that keep the position
+    for (int k = 0; k < 5; ++k) J.col(k) = robot.jacobian(frame, *found).col(five[k]);
+    const Eigen::MatrixXd moves = Eigen::MatrixXd(J.topRows(3)).fullPivLu().kernel();
+    EXPECT_LT((moves.transpose() * J.bottomRows(3).transpose() * error.tail<3>()).norm(), 1e-5);
+  }
+  EXPECT_GT(tilted, 150);
 }
 
 TEST(Ik, SolveNearGivesUpOutOfReach) {

@@ -35,7 +35,7 @@ struct Problem {
 /// Throws std::invalid_argument that names the field, its value and what is allowed: unknown links,
 /// groups or states; a q_home outside the joint limits; an object that is not flat on the support
 /// (2 mm, 1 degree) or whose centre of mass is off it, at X_WO_start or at X_WO_end; finger
-/// dimensions out of range.
-GRASPLESS_API void validate(const Problem& problem);
+/// dimensions out of range; and where it is slid, fingers that close less than it is thick.
+GRASPLESS_API void validate(const Problem& problem, bool is_slid = true);
 
 }  // namespace graspless::slide

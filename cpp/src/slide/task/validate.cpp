@@ -157,10 +157,10 @@ void check_slope(const Support& support) {
 
 }  // namespace
 
-void validate(const Problem& problem) {
+void validate(const Problem& problem, bool is_slid) {
   check_hand(problem.hand, problem.robot);
   check_hand_frames(problem);
-  check_closing(problem);
+  if (is_slid) check_closing(problem);
   robot::require_configuration(problem.robot, problem.q_home, "q_home");
   check_object_pose(problem, problem.X_WO_start, "X_WO_start");
   if (problem.X_WO_end) check_object_pose(problem, *problem.X_WO_end, "X_WO_end");

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from ... import frames, geometry
-from ..._core import slide
+from ..._core import pinch, slide
 from ..blame import blamed
 from ..obstacles import build_obstacles
 from ..robots import build_home, build_robot, given_field, require_srdf
@@ -74,7 +74,7 @@ def build(
         None if end is None else X_WS @ frames.planar(end.x, end.y, end.yaw),
     )
     try:
-        slide.validate(problem)
+        (slide if problem_type is slide.Problem else pinch).validate(problem)
     except ValueError as error:
         if str(error).startswith("hand."):
             field = re.split(r"\W", str(error))[1]
