@@ -51,15 +51,13 @@ auto run_interruptibly(const StoppableBudget& given, const Query& query) {
 /// problem and of options, plan() and check(). The planner gives the first sentences of the
 /// docstrings of plan() and check().
 template <class Problem, class Options, class Plan>
-void bind_front_door(py::module_& m, const std::string& plan_doc, const std::string& check_doc,
-                     void (*validate_problem)(const Problem&) = [](const Problem& problem) {
-                       validate(problem);
-                     }) {
+void bind_front_door(
+    py::module_& m, const std::string& plan_doc, const std::string& check_doc,
+    void (*validate_problem)(const Problem&) = [](const Problem& problem) { validate(problem); }) {
   const py::arg_v default_options("options", Options{}, "Options()");
   const py::arg_v default_budget("budget", StoppableBudget{}, "Budget()");
-  m.def(
-      "validate", validate_problem, py::arg("problem"), py::call_guard<py::gil_scoped_release>(),
-      "Raises ValueError that names the first bad field, its value and what is allowed.");
+  m.def("validate", validate_problem, py::arg("problem"), py::call_guard<py::gil_scoped_release>(),
+        "Raises ValueError that names the first bad field, its value and what is allowed.");
   m.def(
       "validate", [](const Options& options) { validate(options); }, py::arg("options"),
       "Raises ValueError that names the first bad option, its value and what is allowed.");

@@ -218,8 +218,7 @@ struct Ik::Impl {
         answer[joint] =
             attempt > 0 ? uniform(lower, upper, rng) : std::clamp(q[joint], lower, upper);
       }
-      if (!solver.solve(X_WF, options, attempt > 0, answer))
-        continue;
+      if (!solver.solve(X_WF, options, attempt > 0, answer)) continue;
       VectorXd values(n);
       for (Eigen::Index i = 0; i < n; ++i) values[i] = answer[group[i]];
       reduce(values);
