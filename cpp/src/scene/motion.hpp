@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "graspless/robot/robot.hpp"
@@ -46,5 +50,45 @@ constexpr double kMargin = 1e-7;
 /// takes more than 1e8 steps.
 int num_steps(const robot::Robot& robot, const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
               double resolution);
+
+/// Two bodies that may touch during a stretch of motion.
+struct OpenPair {
+  int index;
+  double motion;                   ///< bound on how far they approach each other in one step [m]
+  double bound_first, bound_last;  ///< lower bounds on their distance at the stretch's ends [m]
+  double bound_middle = 0;
+};
+
+/// True if the pairs from `begin` on stay apart on the grid points between `first` and `last`.
+/// `place` moves the bodies to a grid point. `is_apart` sets a pair's bound_middle there, which
+/// need not exceed the number given [m]; false if the pair touches. scene_motion.cpp has the proof.
+template <class Place, class IsApart>
+bool stay_apart(std::vector<OpenPair>& open, std::size_t begin, int first, int last,
+                const Place& place, const IsApart& is_apart) {
+  const std::size_t end = open.size();
+  if (begin == end || last - first < 2) return true;
+  const int middle = (first + last) / 2;
+  place(middle);
+  for (std::size_t i = begin; i < end; ++i) {
+    OpenPair& pair = open[i];
+    const double needed = std::max(pair.motion * (middle - first) - pair.bound_first,
+                                   pair.motion * (last - middle) - pair.bound_last);
+    if (!is_apart(pair, needed + 2 * kMargin)) return false;
+  }
+  const auto open_half = [&](double OpenPair::*bound, int steps) {
+    if (steps < 2) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      OpenPair pair = open[i];
+      pair.*bound = pair.bound_middle;
+      if (pair.bound_first + pair.bound_last <= pair.motion * steps + kMargin) open.push_back(pair);
+    }
+  };
+  open_half(&OpenPair::bound_first, last - middle);
+  const std::size_t first_half = open.size();
+  open_half(&OpenPair::bound_last, middle - first);
+  if (!stay_apart(open, first_half, first, middle, place, is_apart)) return false;
+  open.resize(first_half);
+  return stay_apart(open, end, middle, last, place, is_apart);
+}
 
 }  // namespace graspless::scene

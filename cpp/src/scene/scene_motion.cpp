@@ -8,9 +8,6 @@
 // so they are at least max(d1 - s, d2 - (M - s)) >= (d1 + d2 - M) / 2 apart. If d1 + d2 > M, they
 // stay apart. If not, the grid point in the middle is tested for that pair alone, and then each
 // half in turn until no grid point is left.
-#include <algorithm>
-#include <cmath>
-
 #include "graspless/scene/scene.hpp"
 #include "graspless/watch.hpp"
 
@@ -23,8 +20,16 @@ bool Scene::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double
   const int steps = num_steps(robot_, q1, q2, resolution);
   const Eigen::VectorXd step = (q2 - q1) / steps;
   update_motion_bounds();
-  open_.clear();
-  return open_pairs(q1, q2, steps) && is_stretch_free(q1, step, 0, steps, 0);
+  std::vector<OpenPair> open;  // a stack of stretches
+  const auto place_at = [&](int grid_point) {
+    poll();
+    place(q1 + grid_point * step);
+  };
+  const auto is_apart = [&](OpenPair& pair, double enough) {
+    pair.bound_middle = world_.distance_bound(pair.index, enough);
+    return pair.bound_middle > kMargin || !world_.touches(pair.index);
+  };
+  return open_pairs(q1, q2, steps, open) && stay_apart(open, 0, 0, steps, place_at, is_apart);
 }
 
 void Scene::update_motion_bounds() {
@@ -49,61 +54,27 @@ void Scene::update_motion_bounds() {
 }
 
 /// Tests both ends and opens the pairs that may touch between them.
-bool Scene::open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps) {
+bool Scene::open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps,
+                       std::vector<OpenPair>& open) {
   const Eigen::VectorXd motion = motion_bounds_.transpose() * (q2 - q1).cwiseAbs() / steps;
   place(q1);
   if (world_.collides()) return false;
+  open.reserve(world_.num_pairs());
   for (int i = 0; i < world_.num_pairs(); ++i) {
     // Half of what the stretch needs; the bound at the other end adds the rest.
     const double enough = (motion[i] * steps + kMargin) / 2;
-    open_.push_back({i, motion[i], world_.distance_bound(i, enough), 0});
+    open.push_back({i, motion[i], world_.distance_bound(i, enough), 0});
   }
   place(q2);
   if (world_.collides()) return false;
   std::size_t kept = 0;
-  for (OpenPair pair : open_) {
+  for (OpenPair pair : open) {
     const double needed = pair.motion * steps + kMargin - pair.bound_first;
     pair.bound_last = world_.distance_bound(pair.index, needed);
-    if (pair.bound_last <= needed) open_[kept++] = pair;
+    if (pair.bound_last <= needed) open[kept++] = pair;
   }
-  open_.resize(kept);
+  open.resize(kept);
   return true;
-}
-
-void Scene::keep_open(const OpenPair& pair, int steps) {
-  if (pair.bound_first + pair.bound_last <= pair.motion * steps + kMargin) open_.push_back(pair);
-}
-
-/// True if the open pairs from `begin` on stay apart on the grid points between `first` and `last`.
-bool Scene::is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first,
-                            int last, std::size_t begin) {
-  const std::size_t end = open_.size();
-  if (begin == end || last - first < 2) return true;
-  poll();
-  const int middle = (first + last) / 2;
-  place(q1 + middle * step);
-  for (std::size_t i = begin; i < end; ++i) {
-    OpenPair& pair = open_[i];
-    const double needed = std::max(pair.motion * (middle - first) - pair.bound_first,
-                                   pair.motion * (last - middle) - pair.bound_last);
-    pair.bound_middle = world_.distance_bound(pair.index, needed + 2 * kMargin);
-    if (pair.bound_middle <= kMargin && world_.touches(pair.index)) return false;
-  }
-  const auto open_half = [&](bool second) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const OpenPair pair = open_[i];  // a copy: keep_open may move the stack
-      const double bound_first = second ? pair.bound_middle : pair.bound_first;
-      const double bound_last = second ? pair.bound_last : pair.bound_middle;
-      keep_open({pair.index, pair.motion, bound_first, bound_last},
-                second ? last - middle : middle - first);
-    }
-  };
-  open_half(true);
-  const std::size_t first_half = open_.size();
-  open_half(false);
-  if (!is_stretch_free(q1, step, first, middle, first_half)) return false;
-  open_.resize(first_half);
-  return is_stretch_free(q1, step, middle, last, end);
 }
 
 }  // namespace graspless::scene

@@ -16,6 +16,8 @@
 
 namespace graspless::scene {
 
+struct OpenPair;
+
 /// A robot among obstacles and objects. Each link with a shape is a body of the world and carries
 /// the link's name. Links are tested against each other (except Robot::ignored_pairs) and against
 /// every obstacle and object. Obstacles and objects are tested against each other only after
@@ -80,14 +82,6 @@ class GRASPLESS_API Scene {
     Eigen::Isometry3d X_LO;
     std::vector<std::pair<int, int>> suspended;  // pairs that are not tested while attached
   };
-  /// A pair that may touch during a stretch of motion.
-  struct OpenPair {
-    int index;      // index of the pair in the world
-    double motion;  // bound on how far its bodies approach each other in one step [m]
-    double bound_first,
-        bound_last;  // lower bounds on their distance at both ends of the stretch [m]
-    double bound_middle = 0;
-  };
 
   std::vector<int> built_close(std::vector<int> pairs, const std::vector<int>& joints,
                                const std::vector<Eigen::VectorXd>& given);
@@ -95,10 +89,8 @@ class GRASPLESS_API Scene {
   void place(const robot::Poses& X_WL);
   void place(const Eigen::VectorXd& q);
   void update_motion_bounds();
-  bool open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps);
-  void keep_open(const OpenPair& pair, int steps);
-  bool is_stretch_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first, int last,
-                       std::size_t begin);
+  bool open_pairs(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps,
+                  std::vector<OpenPair>& open);
 
   robot::Robot robot_;
   collision::World world_;
@@ -111,7 +103,6 @@ class GRASPLESS_API Scene {
   // joint. Recomputed when the world's pairs or the attachments change.
   Eigen::MatrixXd motion_bounds_;
   int motion_revision_ = -1;
-  std::vector<OpenPair> open_;  // a stack of stretches
 };
 
 }  // namespace graspless::scene

@@ -38,21 +38,10 @@ class GRASPLESS_API FreeSpace {
   std::int64_t num_fcl_checks() const { return object_.num_fcl_checks(); }
 
  private:
-  /// A link that is not yet proven to stay clear of the object over part of a motion.
-  struct UncertainLink {
-    int link;
-    double motion;                   // bound on its motion in one step [m]
-    double clear_first, clear_last;  // clearance at both ends of the part [m]
-    double clear_middle = 0;         // clearance in the middle [m]
-  };
-
   void update_poses(const Eigen::VectorXd& q);
   bool misses_object();
-  bool find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps);
-  bool is_part_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first, int last,
-                    std::size_t begin);
-  bool check_middle(const Eigen::VectorXd& q, int steps_before, int steps_after, std::size_t begin);
-  void push_half(std::size_t begin, std::size_t end, bool second, int steps);
+  bool find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, int steps,
+                            std::vector<scene::OpenPair>& links);
 
   robot::Robot robot_;
   std::string object_name_;
@@ -61,7 +50,6 @@ class GRASPLESS_API FreeSpace {
   std::vector<int> links_;  // moving links with shapes
   bool base_touches_object_ = false;
   robot::Poses X_WL_;
-  std::vector<UncertainLink> uncertain_;  // stack: the links of each part
   std::int64_t checks_ = 0;
 };
 

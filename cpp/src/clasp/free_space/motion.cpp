@@ -14,77 +14,48 @@
 namespace graspless::clasp {
 using scene::kMargin;
 using scene::num_steps;
+using scene::OpenPair;
 
 bool FreeSpace::is_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2, double resolution) {
   if (base_touches_object_ || !robot_.is_within(q1) || !robot_.is_within(q2)) return false;
   const int steps = num_steps(robot_, q1, q2, resolution);
-  uncertain_.clear();
-  return find_uncertain_links(q1, q2, steps) && is_part_free(q1, (q2 - q1) / steps, 0, steps, 0) &&
+  const Eigen::VectorXd step = (q2 - q1) / steps;
+  std::vector<OpenPair> links;
+  const auto place = [&](int grid_point) { update_poses(q1 + grid_point * step); };
+  const auto is_apart = [&](OpenPair& link, double enough) {
+    const auto found = object_.check(link.index, X_WL_[link.index], std::max(2 * kMargin, enough));
+    link.bound_middle = found.clearance;
+    return !found.touches;
+  };
+  return find_uncertain_links(q1, q2, steps, links) &&
+         scene::stay_apart(links, 0, 0, steps, place, is_apart) &&
          scene_.is_free(q1, q2, resolution);
 }
 
 /// Checks both ends and collects the links that may touch in between.
 bool FreeSpace::find_uncertain_links(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
-                                     int steps) {
+                                     int steps, std::vector<OpenPair>& links) {
   const Eigen::VectorXd step = (q2 - q1).cwiseAbs() / steps;
+  links.reserve(links_.size());
   update_poses(q2);
   for (const int link : links_) {
     const double motion = robot_.reach(link).dot(step);
     // Half of the clearance needed. The other end provides the other half, or makes up for it.
     const auto found = object_.check(link, X_WL_[link], (motion * steps + kMargin) / 2);
     if (found.touches) return false;
-    uncertain_.push_back({link, motion, 0, found.clearance});
+    links.push_back({link, motion, 0, found.clearance});
   }
   update_poses(q1);
   std::size_t kept = 0;
-  for (UncertainLink uncertain : uncertain_) {
-    const double needed = uncertain.motion * steps + kMargin - uncertain.clear_last;
-    const auto found = object_.check(uncertain.link, X_WL_[uncertain.link], needed);
+  for (OpenPair link : links) {
+    const double needed = link.motion * steps + kMargin - link.bound_last;
+    const auto found = object_.check(link.index, X_WL_[link.index], needed);
     if (found.touches) return false;
-    uncertain.clear_first = found.clearance;
-    if (found.clearance < needed) uncertain_[kept++] = uncertain;
+    link.bound_first = found.clearance;
+    if (found.clearance < needed) links[kept++] = link;
   }
-  uncertain_.resize(kept);
+  links.resize(kept);
   return true;
-}
-
-/// True if the uncertain links from `begin` on stay clear at the steps between `first` and `last`.
-bool FreeSpace::is_part_free(const Eigen::VectorXd& q1, const Eigen::VectorXd& step, int first,
-                             int last, std::size_t begin) {
-  const std::size_t end = uncertain_.size();
-  if (begin == end || last - first < 2) return true;
-  const int middle = (first + last) / 2;
-  if (!check_middle(q1 + middle * step, middle - first, last - middle, begin)) return false;
-  push_half(begin, end, true, last - middle);
-  const std::size_t first_half = uncertain_.size();
-  push_half(begin, end, false, middle - first);
-  if (!is_part_free(q1, step, first, middle, first_half)) return false;
-  uncertain_.resize(first_half);
-  return is_part_free(q1, step, middle, last, end);
-}
-
-bool FreeSpace::check_middle(const Eigen::VectorXd& q, int steps_before, int steps_after,
-                             std::size_t begin) {
-  update_poses(q);
-  for (std::size_t i = begin; i < uncertain_.size(); ++i) {
-    UncertainLink& uncertain = uncertain_[i];
-    const double needed = std::max({0.0, uncertain.motion * steps_before - uncertain.clear_first,
-                                    uncertain.motion * steps_after - uncertain.clear_last});
-    const auto found = object_.check(uncertain.link, X_WL_[uncertain.link], needed + 2 * kMargin);
-    if (found.touches) return false;
-    uncertain.clear_middle = found.clearance;
-  }
-  return true;
-}
-
-void FreeSpace::push_half(std::size_t begin, std::size_t end, bool second, int steps) {
-  if (steps < 2) return;
-  for (std::size_t i = begin; i < end; ++i) {
-    UncertainLink uncertain = uncertain_[i];
-    (second ? uncertain.clear_first : uncertain.clear_last) = uncertain.clear_middle;
-    if (uncertain.clear_first + uncertain.clear_last > uncertain.motion * steps + kMargin) continue;
-    uncertain_.push_back(uncertain);
-  }
 }
 
 }  // namespace graspless::clasp
