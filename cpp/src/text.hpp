@@ -30,13 +30,24 @@ std::string say(const Parts&... parts) {
   return text.str();
 }
 
-/// std::to_string() writes all digits of an integer.
+/// All digits of an integer.
 template <typename Integer, typename = std::enable_if_t<std::is_integral_v<Integer>>>
-std::string figure(Integer, int = 0) = delete;
+std::string figure(Integer value) {
+  return std::to_string(value);
+}
 
 /// Throws std::invalid_argument if a number is not what it must be.
-inline void require(bool holds, const std::string& field, double value, const std::string& must) {
+template <typename Number>
+void require(bool holds, const std::string& field, Number value, const std::string& must) {
   if (!holds) throw std::invalid_argument(field + " " + must + ", not " + figure(value));
+}
+
+/// The same for a number that must lie in [least, most].
+template <typename Number>
+void require_within(const std::string& field, Number value, std::common_type_t<Number> least,
+                    std::common_type_t<Number> most, const std::string& unit = "") {
+  if (value >= least && value <= most) return;
+  require(false, field, value, "must lie in [" + figure(least) + ", " + figure(most) + "]" + unit);
 }
 
 }  // namespace graspless

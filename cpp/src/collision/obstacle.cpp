@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/pose.hpp"
 
 #include "collision/prepared.hpp"
 #include "collision/recent.hpp"
+#include "text.hpp"
 
 namespace graspless::collision {
 namespace {
@@ -64,12 +64,8 @@ constexpr Eigen::Index kMostKept = 4 * geometry::kMaxPaddedTriangles;
 }  // namespace
 
 void require_padding(const Obstacle& obstacle, const std::string& field) {
-  if (!(obstacle.padding >= 0 && obstacle.padding <= geometry::kMaxPadding)) {
-    std::ostringstream fault;
-    fault << field << " must be in [0, " << geometry::kMaxPadding << "] m, not "
-          << obstacle.padding;
-    throw std::invalid_argument(fault.str());
-  }
+  require(obstacle.padding >= 0 && obstacle.padding <= geometry::kMaxPadding, field,
+          obstacle.padding, "must be in [0, " + figure(geometry::kMaxPadding) + "] m");
   const Eigen::Index count = triangles_of(obstacle.shapes);
   if (obstacle.padding > 0 && count > geometry::kMaxPaddedTriangles) {
     throw std::invalid_argument(field + ": meshes with a padding must have at most " +

@@ -4,22 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/pose.hpp"
 #include "graspless/watch.hpp"
 
 #include "collision/world_impl.hpp"
+#include "text.hpp"
 
 namespace graspless::collision {
 namespace {
 
 void require_length(double length, const char* what) {
   if (length >= 0 && length <= geometry::kMaxLength) return;
-  std::ostringstream fault;
-  fault << what << " must be in [0, " << geometry::kMaxLength << "] m, not " << length;
-  throw std::invalid_argument(fault.str());
+  require(false, what, length, "must be in [0, " + figure(geometry::kMaxLength) + "] m");
 }
 
 const Pair& pair_at(const std::vector<Pair>& pairs, int index, const char* what = "pair") {

@@ -15,16 +15,9 @@
 namespace graspless::fingertip {
 namespace {
 
-using planning::Range;
-
-void require_within(const std::string& field, double value, const Range& range,
-                    const std::string& unit) {
-  require(range.contains(value), field, value, "must lie in " + planning::to_string(range) + unit);
-}
-
 void check_friction(const std::string& field, const FrictionInterval& friction) {
-  require_within(field + ".lower", friction.lower, Range::closed(0, mechanics::kMaxFriction), "");
-  require_within(field + ".upper", friction.upper, Range::closed(0, mechanics::kMaxFriction), "");
+  require_within(field + ".lower", friction.lower, 0, mechanics::kMaxFriction);
+  require_within(field + ".upper", friction.upper, 0, mechanics::kMaxFriction);
   require(friction.lower <= friction.upper, field + ".lower", friction.lower,
           "must not exceed " + field + ".upper = " + figure(friction.upper));
 }
@@ -32,10 +25,10 @@ void check_friction(const std::string& field, const FrictionInterval& friction) 
 void check_fingers(const Fingers& fingers) {
   require(fingers.count >= 1 && fingers.count <= mechanics::kMaxFingers, "fingers.count",
           fingers.count, "must be 1 to " + std::to_string(mechanics::kMaxFingers));
-  require_within("fingers.radius", fingers.radius,
-                 Range::closed(geometry::kMinLength, geometry::kMaxLength), " m");
-  require_within("fingers.max_normal_force", fingers.max_normal_force,
-                 Range::closed(mechanics::kMinForce, mechanics::kMaxForce), " N");
+  require_within("fingers.radius", fingers.radius, geometry::kMinLength, geometry::kMaxLength,
+                 " m");
+  require_within("fingers.max_normal_force", fingers.max_normal_force, mechanics::kMinForce,
+                 mechanics::kMaxForce, " N");
   check_friction("fingers.friction", fingers.friction);
   require(fingers.max_span >= 2 * fingers.radius, "fingers.max_span", fingers.max_span,
           "must be at least two radii (infinity: any)");
@@ -45,8 +38,7 @@ void check_fingers(const Fingers& fingers) {
 void check_start(const Problem& problem) {
   const std::vector<Eigen::Vector3d>& start = problem.fingers.start;
   if (start.empty()) return;
-  require(static_cast<int>(start.size()) == problem.fingers.count, "fingers.start",
-          static_cast<double>(start.size()),
+  require(static_cast<int>(start.size()) == problem.fingers.count, "fingers.start", start.size(),
           "must hold a place for each of " + std::to_string(problem.fingers.count) + " fingers");
   if (std::holds_alternative<Goal>(problem.motion)) {
     throw std::invalid_argument("fingers.start needs a Path or a Lattice, not a Goal");
@@ -98,12 +90,10 @@ void check_number_of_intervals(const Problem& problem) {
 void check_weight(const Problem& problem) {
   const double mass = problem.object.mass(), gravity = problem.gravity_W.cwiseAbs().maxCoeff();
   if (!problem.gravity_W.allFinite()) throw std::invalid_argument("gravity_W must be finite");
-  require_within("gravity_W", gravity, Range::closed(0, mechanics::kMaxGravity),
-                 " m/s^2, along each axis");
-  require_within("object.mass", mass, Range::closed(mechanics::kMinMass, mechanics::kMaxMass),
-                 " kg");
-  require_within("weight of the object, object.mass times gravity_W", mass * gravity,
-                 Range::closed(0, mechanics::kMaxForce), " N");
+  require_within("gravity_W", gravity, 0, mechanics::kMaxGravity, " m/s^2, along each axis");
+  require_within("object.mass", mass, mechanics::kMinMass, mechanics::kMaxMass, " kg");
+  require_within("weight of the object, object.mass times gravity_W", mass * gravity, 0,
+                 mechanics::kMaxForce, " N");
 }
 
 }  // namespace

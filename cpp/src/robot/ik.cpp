@@ -83,8 +83,7 @@ void check_options(const Ik::Options& options) {
   require(options.lean >= 0 && options.lean <= 0.1, "lean", options.lean, "must lie in [0, 0.1]");
   if (options.max_iterations < 1) throw std::invalid_argument("max_iterations must be positive");
   if (options.restarts < 0) throw std::invalid_argument("restarts must not be negative");
-  require(options.free_samples >= 0 && options.free_samples <= 10000, "free_samples",
-          options.free_samples, "must lie in [0, 10000]");
+  require_within("free_samples", options.free_samples, 0, 10000);
 }
 
 /// A whole turn of a joint changes nothing, unless it is prismatic or another joint mimics it.

@@ -12,6 +12,8 @@
 #include "graspless/scene/scene.hpp"
 #include "graspless/watch.hpp"
 
+#include "text.hpp"
+
 namespace graspless::scene {
 namespace {
 
@@ -168,10 +170,7 @@ class ContactSampler {
 
 LinkContacts sample_contacts(const robot::Robot& robot, int samples, std::uint64_t seed,
                              const std::vector<int>& links) {
-  if (samples < 1 || samples > kMaxSamples) {
-    throw std::invalid_argument("samples must lie in [1, " + std::to_string(kMaxSamples) +
-                                "], not " + std::to_string(samples));
-  }
+  require_within("samples", samples, 1, kMaxSamples);
   const auto count = static_cast<int>(robot.frame_names().size());
   for (const int link : links) {
     if (link >= 0 && link < count) continue;

@@ -4,7 +4,6 @@
 // A polyhedron and what the planner asks of it.
 #include "graspless/fingertip/object.hpp"
 
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -19,14 +18,6 @@ namespace graspless::fingertip {
 namespace {
 
 std::string called(const std::string& name) { return "object '" + name + "'"; }
-
-void require_mass(const std::string& name, double mass) {
-  if (mass >= mechanics::kMinMass && mass <= mechanics::kMaxMass) return;
-  std::ostringstream text;
-  text << called(name) << " mass must lie in [" << mechanics::kMinMass << ", "
-       << mechanics::kMaxMass << "] kg, not " << mass;
-  throw std::invalid_argument(text.str());
-}
 
 /// Without what is rounding only: symmetric objects are to have symmetric properties.
 template <typename Matrix>
@@ -58,7 +49,7 @@ Object Object::box(const std::string& name, const Eigen::Vector3d& size, double 
 }
 
 Object Object::from_mesh(const std::string& name, const geometry::Mesh& mesh, double mass) {
-  require_mass(name, mass);
+  require_within(called(name) + " mass", mass, mechanics::kMinMass, mechanics::kMaxMass, " kg");
   return Object(name, closed_mesh(mesh, called(name) + " mesh"), mass);
 }
 

@@ -44,9 +44,7 @@ class ClosedCurve {
 
 std::vector<ClaspTarget> clasp_targets(const Eigen::Matrix3Xd& loop, int count) {
   require_points(loop, "loop");
-  if (count < 1 || count > kMostTargets)
-    throw std::invalid_argument("count must lie in [1, " + std::to_string(kMostTargets) +
-                                "], not " + std::to_string(count));
+  require_within("count", count, 1, kMostTargets);
   const ClosedCurve curve(loop);
   if (loop.cols() < 3 || !(curve.length() > 0)) {
     throw std::invalid_argument("loop must have at least 3 corners and a length, not " +

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <exception>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "graspless/geometry/shape.hpp"
 #include "graspless/watch.hpp"
 
 #include "geometry/polygon/cgal_polygon.hpp"
+#include "text.hpp"
 
 namespace graspless::geometry {
 namespace {
@@ -82,11 +82,7 @@ std::optional<std::vector<Polygon>> verified_core(const Polygon& polygon, double
 }  // namespace
 
 Band::Band(const Polygon& polygon, double width) : polygon_(polygon), width_(width) {
-  if (!(width >= kMinLength && width <= kMaxLength)) {
-    std::ostringstream fault;
-    fault << "band width must lie in [" << kMinLength << ", " << kMaxLength << "] m, not " << width;
-    throw std::invalid_argument(fault.str());
-  }
+  require_within("band width", width, kMinLength, kMaxLength, " m");
   auto core = verified_core(polygon, width);
   exact_ = core.has_value();
   if (exact_) core_ = std::move(*core);

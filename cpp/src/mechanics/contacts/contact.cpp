@@ -5,7 +5,6 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
@@ -24,9 +23,7 @@ constexpr int kMaxConeEdges = 1000;
 constexpr double kParallel = 1e-9;  // sine below which a direction is along the normal
 
 [[noreturn]] void refuse(const std::string& field, const std::string& must, double value) {
-  std::ostringstream text;
-  text << field << " must " << must << ", not " << value;
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(field + " must " + must + ", not " + figure(value));
 }
 
 void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& field) {
@@ -42,17 +39,7 @@ void check_within(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::st
   check_finite(values, field);
   const double value = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
   if (value <= largest) return;
-  std::ostringstream must;
-  must << "lie within +-" << largest << unit;
-  refuse(field, must.str(), value);
-}
-
-void check_in_range(double value, const std::string& field, double least, double largest,
-                    const std::string& unit) {
-  if (value >= least && value <= largest) return;
-  std::ostringstream must;
-  must << "lie in [" << least << ", " << largest << "]" << unit;
-  refuse(field, must.str(), value);
+  refuse(field, "lie within +-" + figure(largest) + unit, value);
 }
 
 Eigen::Vector3d along_surface(const Eigen::Vector3d& n_O, const Eigen::Vector3d& t_O) {
@@ -67,7 +54,7 @@ void check_touch(const Touch& touch, const std::string& field) {
   check_finite(touch.t_O, field + ".t_O");
   const double length = touch.n_O.norm();
   if (std::abs(length - 1) > kUnit) refuse(field + ".n_O", "be a unit vector", length);
-  check_in_range(touch.friction, field + ".friction", 0, kMaxFriction, "");
+  require_within(field + ".friction", touch.friction, 0, kMaxFriction);
 }
 
 void check_slide(const Contact& contact, const std::string& field) {
@@ -101,7 +88,7 @@ void validate(const ContactSet& set, const std::string& what) {
   for (std::size_t i = 0; i < set.fingers.size(); ++i) {
     const std::string field = what + ": fingers[" + std::to_string(i) + "]";
     check_touch(set.fingers[i], field);
-    check_in_range(set.fingers[i].max_normal_force, field + ".max_normal_force", kMinForce,
+    require_within(field + ".max_normal_force", set.fingers[i].max_normal_force, kMinForce,
                    kMaxForce, " N");
   }
   check_within(set.com_O, what + ": com_O", geometry::kMaxLength, " m");
@@ -112,7 +99,7 @@ void validate(const ContactSet& set, const std::string& what) {
   if (!Eigen::FullPivLU<Matrix6d>(set.wrench_scale).isInvertible()) {
     throw std::invalid_argument(what + ": wrench_scale must be regular");
   }
-  check_in_range(set.cone_edges, what + ": cone_edges", 3, kMaxConeEdges, "");
+  require_within(what + ": cone_edges", set.cone_edges, 3, kMaxConeEdges);
 }
 
 ContactSet normalized(ContactSet set, const std::string& what) {
@@ -147,7 +134,7 @@ Eigen::Matrix3Xd friction_cone(const Eigen::Vector3d& n_O, double friction, int 
 }
 
 Vector6d gravity_wrench(double mass, const Eigen::Vector3d& gravity_O) {
-  check_in_range(mass, "mass", kMinMass, kMaxMass, " kg");
+  require_within("mass", mass, kMinMass, kMaxMass, " kg");
   check_within(gravity_O, "gravity_O", kMaxGravity, " m/s^2");
   Vector6d wrench = Vector6d::Zero();
   wrench.head<3>() = mass * gravity_O;

@@ -31,10 +31,8 @@ std::string text(const Eigen::Vector3d& v) {
 void validate_plane(const Plane& plane, const std::string& what) {
   require(plane.n_W.allFinite() && std::abs(plane.n_W.norm() - 1) <= 1e-6, what + ".n_W",
           plane.n_W.norm(), "must be of length 1");
-  require(std::abs(plane.offset) <= geometry::kMaxLength, what + ".offset", plane.offset,
-          "must lie in [-10000, 10000] m");
-  require(plane.friction >= 0 && plane.friction <= kMaxFriction, what + ".friction", plane.friction,
-          "must lie in [0, 10000]");
+  require_within(what + ".offset", plane.offset, -geometry::kMaxLength, geometry::kMaxLength, " m");
+  require_within(what + ".friction", plane.friction, 0, kMaxFriction);
 }
 
 void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3d& com_O,
@@ -48,8 +46,7 @@ void validate_arguments(const Eigen::Matrix3Xd& vertices_O, const Eigen::Vector3
   }
   geometry::require_pose(state.X_WO, "state.X_WO");
   if (!state.twist_W.allFinite()) throw std::invalid_argument("state.twist_W must be finite");
-  require(tolerance >= 0 && tolerance <= geometry::kMaxLength, "tolerance", tolerance,
-          "must lie in [0, 10000] m");
+  require_within("tolerance", tolerance, 0, geometry::kMaxLength, " m");
 }
 
 /// Motion of the object in W, and the speed below which one of its points stands still.

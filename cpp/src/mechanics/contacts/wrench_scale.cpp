@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Eigenvalues>
@@ -71,11 +70,7 @@ Principal principal_axes(const Eigen::Matrix3d& inertia) {
 }
 
 void check_inertia(double mass, const Eigen::Matrix3d& inertia) {
-  if (!(mass >= kMinMass && mass <= kMaxMass)) {
-    std::ostringstream text;
-    text << "mass must lie in [" << kMinMass << ", " << kMaxMass << "] kg, not " << mass;
-    throw std::invalid_argument(text.str());
-  }
+  require_within("mass", mass, kMinMass, kMaxMass, " kg");
   if (!inertia.allFinite()) throw std::invalid_argument("inertia_O must be finite");
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() >
       1e-9 * inertia.cwiseAbs().maxCoeff()) {

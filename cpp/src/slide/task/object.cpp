@@ -13,7 +13,6 @@
 #include "geometry/convex_hull.hpp"
 #include "geometry/quantile.hpp"
 #include "slide/task/prisms.hpp"
-#include "slide/task/ranges.hpp"
 #include "slide/task/rim.hpp"
 #include "text.hpp"
 
@@ -42,6 +41,10 @@ std::vector<double> heights_of(const std::string& what, const Eigen::Matrix3Xd& 
   return {p_OP.row(2).begin(), p_OP.row(2).end()};
 }
 
+void require_thickness(const std::string& what, double thickness) {
+  require_within(what + " thickness", thickness, geometry::kMinLength, geometry::kMaxLength, " m");
+}
+
 void check_thin(const std::string& what, const std::vector<double>& z, double thickness,
                 double width) {
   const double spread = geometry::quantile(z, 0.95) - geometry::quantile(z, 0.05);
@@ -50,7 +53,7 @@ void check_thin(const std::string& what, const std::vector<double>& z, double th
         what + " is not the top of a thin object: its heights spread over " + figure(spread) +
         " m (5th to 95th percentile); at most " + figure(kMaxHeightSpread) + " m is allowed");
   }
-  length(what + " thickness", thickness);
+  require_thickness(what, thickness);
   if (thickness > kMaxSlenderness * width) {
     throw std::invalid_argument(what + " is not thin: thickness " + figure(thickness) +
                                 " m exceeds three quarters of its width of " + figure(width) +
@@ -160,7 +163,7 @@ Object Object::from_polygon(const std::string& name, const geometry::Polygon& ou
 
 Object Object::prism(const std::string& name, const geometry::Polygon& outline, double thickness,
                      double spacing) {
-  length("object '" + name + "' thickness", thickness);
+  require_thickness("object '" + name + "'", thickness);
   return Object(name, geometry::sample_grid(outline, spacing), outline, thickness,
                 outline.centroid());
 }
@@ -197,8 +200,8 @@ Object Object::with_com(const Eigen::Vector3d& com_O) const {
 }
 
 Object Object::with_mass(double mass) const {
-  check_within("object '" + name_ + "' mass", mass, mechanics::kMinMass, mechanics::kMaxMass,
-               " kg");
+  require_within("object '" + name_ + "' mass", mass, mechanics::kMinMass, mechanics::kMaxMass,
+                 " kg");
   Object other = *this;
   other.mass_ = mass;
   return other;
@@ -241,7 +244,7 @@ double Object::height_near(const Eigen::Vector2d& p_O, double radius) const {
 }
 
 Object Object::scaled(double scale) const {
-  check_within("object '" + name_ + "' scale", scale, 1e-6, 1e6, "");
+  require_within("object '" + name_ + "' scale", scale, 1e-6, 1e6);
   Object other(name_, scale * points(), geometry::Polygon(scale * outline_.vertices()), thickness_,
                scale * com_.head<2>());
   if (is_thin()) check_thin("object '" + name_ + "'", {0}, thickness_, other.least_width());

@@ -10,7 +10,6 @@
 #include "graspless/mechanics/contact.hpp"
 
 #include "slide/task/prisms.hpp"
-#include "slide/task/ranges.hpp"
 #include "text.hpp"
 
 namespace graspless::slide {
@@ -18,8 +17,9 @@ namespace {
 
 constexpr double kMinFriction = 1e-6;
 
-double friction_of(const std::string& what, double value) {
-  check_within(what, value, kMinFriction, mechanics::kMaxFriction, "");
+double within(const std::string& what, double value, double least, double most,
+              const std::string& unit = "") {
+  require_within(what, value, least, most, unit);
   return value;
 }
 
@@ -49,8 +49,8 @@ Support::Support(const geometry::Polygon& polygon, const Eigen::Isometry3d& X_WS
                  const std::optional<std::vector<int>>& usable_edges)
     : goal_band_(polygon, band_width),
       X_WS_(X_WS),
-      slab_(length("support slab", slab)),
-      friction_(friction_of("support friction", friction)),
+      slab_(within("support slab", slab, geometry::kMinLength, geometry::kMaxLength, " m")),
+      friction_(within("support friction", friction, kMinFriction, mechanics::kMaxFriction)),
       is_usable_(usable(usable_edges, polygon.size())),
       shapes_(prisms(polygon, -slab, 0)),
       solid_(shapes_, "support") {

@@ -325,6 +325,7 @@ TEST(ShortestLoops, RefuseBadOptions) {
   expect_refused(with(&LoopOptions::min_ratio, 1.0), "min_ratio must be greater than 1");
   expect_refused(with(&LoopOptions::min_ratio, nan), "min_ratio");
   expect_refused(with(&LoopOptions::max_points, 3), "max_points must be in [100, 1000000], not 3");
+  expect_refused(with(&LoopOptions::max_points, 2000000), "[100, 1000000], not 2000000");
 }
 
 }  // namespace
