@@ -241,6 +241,22 @@ Mesh convex_hull(const Eigen::Matrix3Xd& points) {
   return canonical(HullSides(surface).polygons());
 }
 
+Eigen::Matrix4Xd half_spaces(const Mesh& hull) {
+  Eigen::Matrix4Xd planes(4, hull.triangles.cols());
+  const Eigen::Vector3d middle = hull.vertices.rowwise().mean();
+  Eigen::Index count = 0;
+  for (const auto& corners : hull.triangles.colwise()) {
+    const Eigen::Vector3d a = hull.vertices.col(corners[0]), b = hull.vertices.col(corners[1]),
+                          c = hull.vertices.col(corners[2]);
+    Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (!(normal.norm() > 0)) continue;
+    normal.normalize();
+    if (normal.dot(middle - a) > 0) normal = -normal;
+    planes.col(count++) << normal, normal.dot(a);
+  }
+  return planes.leftCols(count);
+}
+
 Eigen::Matrix2Xd convex_outline(const Eigen::Matrix2Xd& points) {
   std::vector<Kernel::Point_2> input, corners;
   for (const auto& p : points.colwise()) input.emplace_back(p.x(), p.y());

@@ -14,6 +14,9 @@ bool spans_volume(const Eigen::Matrix3Xd& points);
 /// counter-clockwise seen from outside. The points must span a volume.
 Mesh convex_hull(const Eigen::Matrix3Xd& points);
 
+/// Half spaces n . p <= d of a convex hull, as columns (n, d).
+Eigen::Matrix4Xd half_spaces(const Mesh& hull);
+
 /// Corners of the convex hull of points (2 x n) [m], counter-clockwise.
 Eigen::Matrix2Xd convex_outline(const Eigen::Matrix2Xd& points);
 

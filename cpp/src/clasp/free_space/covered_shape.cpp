@@ -71,26 +71,8 @@ CoveredShape cover(const geometry::Box& box, MeshInside) {
           [half](const Eigen::Vector3d& p) { return (half - p.cwiseAbs()).minCoeff(); }};
 }
 
-/// Half spaces n . p <= d of a hull, as columns (n, d).
-Eigen::Matrix4Xd half_spaces(const geometry::Mesh& hull) {
-  Eigen::Matrix4Xd planes(4, hull.triangles.cols());
-  const Eigen::Vector3d middle = hull.vertices.rowwise().mean();
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < hull.triangles.cols(); ++i) {
-    const auto corners = hull.triangles.col(i);
-    const Eigen::Vector3d a = hull.vertices.col(corners[0]), b = hull.vertices.col(corners[1]),
-                          c = hull.vertices.col(corners[2]);
-    Eigen::Vector3d normal = (b - a).cross(c - a);
-    if (!(normal.norm() > 0)) continue;
-    normal.normalize();
-    if (normal.dot(middle - a) > 0) normal = -normal;
-    planes.col(count++) << normal, normal.dot(a);
-  }
-  return planes.leftCols(count);
-}
-
 Depth hull_depth(const geometry::Mesh& hull) {
-  return [planes = half_spaces(hull)](const Eigen::Vector3d& p) {
+  return [planes = geometry::half_spaces(hull)](const Eigen::Vector3d& p) {
     return (planes.row(3) - p.transpose() * planes.topRows<3>()).minCoeff();
   };
 }

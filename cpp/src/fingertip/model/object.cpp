@@ -54,16 +54,9 @@ Object Object::from_mesh(const std::string& name, const geometry::Mesh& mesh, do
 }
 
 Object Object::with_com(const Eigen::Vector3d& com_O) const {
-  const geometry::Mesh hull = geometry::convex_hull(hull_);
-  bool inside = com_O.allFinite();
-  for (Eigen::Index i = 0; inside && i < hull.triangles.cols(); ++i) {
-    const auto t = hull.triangles.col(i);
-    const Eigen::Vector3d a = hull.vertices.col(t[0]);
-    const Eigen::Vector3d n =
-        (hull.vertices.col(t[1]) - a).cross(hull.vertices.col(t[2]) - a).normalized();
-    inside = n.dot(com_O - a) <= 1e-9 * size_;
-  }
-  if (!inside) {
+  const Eigen::Matrix4Xd planes = geometry::half_spaces(geometry::convex_hull(hull_));
+  const auto beyond = com_O.transpose() * planes.topRows<3>() - planes.row(3);
+  if (!com_O.allFinite() || beyond.maxCoeff() > 1e-9 * size_) {
     throw std::invalid_argument(called(name_) + " com (" + figure(com_O.x()) + ", " +
                                 figure(com_O.y()) + ", " + figure(com_O.z()) +
                                 ") must lie within the convex hull");

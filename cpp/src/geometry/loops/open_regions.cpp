@@ -76,16 +76,7 @@ void validate(const RayImage& rays, const std::string& field) {
 }
 
 Planes hull_of(const Eigen::Matrix3Xd& points) {
-  const Mesh hull = convex_hull(points);
-  Planes planes(hull.triangles.cols(), 4);
-  for (Eigen::Index i = 0; i < hull.triangles.cols(); ++i) {
-    const Eigen::Vector3d a = hull.vertices.col(hull.triangles(0, i));
-    const Eigen::Vector3d b = hull.vertices.col(hull.triangles(1, i));
-    const Eigen::Vector3d c = hull.vertices.col(hull.triangles(2, i));
-    const Eigen::Vector3d n = (b - a).cross(c - a).normalized();
-    planes.row(i) << n.transpose(), n.dot(a);
-  }
-  return planes;
+  return half_spaces(convex_hull(points)).transpose();
 }
 
 Eigen::Array<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> open_regions(
