@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "graspless/geometry/linking.hpp"
 #include "graspless/geometry/shape.hpp"
 
 #include "clasp/hand/kinematics.hpp"
@@ -22,20 +23,11 @@ constexpr double kStep = 0.05;     // of a closing joint, Robot::step() [rad]
 constexpr double kFraction = 0.5;  // threshold between the open (0) and the closed hand (1)
 constexpr double kTip = 0.012;     // radius of a fingertip without shapes [m]
 
-double polyline_length(const Points& p) {
-  return (p.rightCols(p.cols() - 1) - p.leftCols(p.cols() - 1)).colwise().norm().sum();
-}
-
-/// 1 - delta / |alpha^|, eq. (2): the virtual linking of a curve that is linked once.
-double closure(const Points& p) {
-  const double chord = (p.col(0) - p.col(p.cols() - 1)).norm();
-  return 1 - chord / (polyline_length(p) + chord);
-}
-
+/// Virtual linking of the curve that is closed least, where each is linked once.
 double closure(const HandKinematics& hand) {
   double least = 1;
   for (int i = 0; i < hand.num_curves(); ++i)
-    least = std::min(least, closure(hand.curve_points(i)));
+    least = std::min(least, geometry::closedness(hand.curve_points(i)));
   return least;
 }
 
@@ -72,7 +64,7 @@ bool is_clear_of_bar(const HandKinematics& hand, double clear) {
 
 double sum_of_closures(const HandKinematics& hand) {
   double sum = 0;
-  for (int i = 0; i < hand.num_curves(); ++i) sum += closure(hand.curve_points(i));
+  for (int i = 0; i < hand.num_curves(); ++i) sum += geometry::closedness(hand.curve_points(i));
   return sum;
 }
 
