@@ -55,10 +55,6 @@ Clearance::Bounds Clearance::exactly(const Eigen::Vector3d& point) const {
   return {exact, exact};
 }
 
-Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point) {
-  return cells_->covers(point) ? cells_->bounds(point) : exactly(point);
-}
-
 Clearance::Bounds Clearance::bounds(const Eigen::Vector3d& point, double threshold) {
   return cells_->covers(point) ? cells_->bounds(point, threshold) : exactly(point);
 }

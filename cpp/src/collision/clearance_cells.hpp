@@ -31,12 +31,9 @@ class ClearanceCells {
   bool covers(const Eigen::Vector3d& point) const {
     return (point.array().abs() < kMostRoots * root_).all();
   }
-  /// Returns bounds from the cell of side `cell` around the point, which must be covered.
-  Clearance::Bounds bounds(const Eigen::Vector3d& point) {
-    return descend(point, kCellLevel, [](const auto&, double) { return false; });
-  }
-  /// Returns bounds from the largest cell that decides on which side of the threshold the distance
-  /// lies and, if it is larger, roughly by how much. Returns the exact distance if no cell decides.
+  /// Returns bounds from the largest cell around the point, which must be covered, that decides on
+  /// which side of the threshold the distance lies and, if it is larger, roughly by how much.
+  /// Returns the exact distance if no cell decides.
   Clearance::Bounds bounds(const Eigen::Vector3d& point, double threshold) {
     return descend(point, kFinestLevel + 1, [threshold](const auto& bounds, double offset) {
       return bounds.lower - kEnough * offset > threshold || bounds.upper < threshold;

@@ -112,6 +112,11 @@ TEST(Clearance, TrianglesWithoutWidthAreSegmentsAndPoints) {
   EXPECT_NEAR(Clearance(mesh).distance({1, 3, 0}), 3, 1e-8);
 }
 
+/// Bounds that the threshold does not end at a larger cell.
+Clearance::Bounds of_cell(Clearance& clearance, const Vector3d& p) {
+  return clearance.rough_bounds(p, clearance.distance(p));
+}
+
 TEST(Clearance, BoundsEncloseTheDistanceAndLieACellApart) {
   std::mt19937 rng(2);
   const Mesh mesh = random_soup(rng, 100);
@@ -120,7 +125,7 @@ TEST(Clearance, BoundsEncloseTheDistanceAndLieACellApart) {
     for (int i = 0; i < 3000; ++i) {
       const Vector3d p = random_point(rng, i % 2 == 0 ? 0.4 : 3);
       const double distance = clearance.distance(p);
-      const auto bounds = clearance.bounds(p);
+      const auto bounds = of_cell(clearance, p);
       ASSERT_LE(bounds.lower, distance);
       ASSERT_GE(bounds.upper, distance);
       ASSERT_GE(bounds.lower, 0);
@@ -138,7 +143,7 @@ TEST(Clearance, ThresholdIsAlwaysToldFromTheDistance) {
   for (int i = 0; i < 3000; ++i) {
     const Vector3d p = random_point(rng, 0.4);
     const double threshold = uniform(rng, 0, 0.1);
-    const auto rough = clearance.bounds(p);
+    const auto rough = of_cell(clearance, p);
     const auto bounds = clearance.bounds(p, threshold);
     const double distance = clearance.distance(p);
     ASSERT_LE(bounds.lower, distance + 1e-12);
@@ -159,7 +164,7 @@ TEST(Clearance, HasNoEnd) {
   Clearance clearance(mesh, 0.01);
   for (const double far : {1e3, 1.04e4, 1.05e4, 1e6, 1e12}) {
     for (const Vector3d& p : {Vector3d(far, 0, 0), Vector3d(0, -far, far)}) {
-      const auto bounds = clearance.bounds(p);
+      const auto bounds = of_cell(clearance, p);
       EXPECT_NEAR(clearance.distance(p), p.norm(), 1);
       EXPECT_LE(bounds.lower, clearance.distance(p));
       EXPECT_GE(bounds.upper, clearance.distance(p));
@@ -176,13 +181,13 @@ TEST(Clearance, BoundsDoNotDependOnWhatWasAskedBefore) {
   Clearance fresh = used;
   for (int i = 0; i < 200; ++i) {
     const Vector3d p = random_point(rng, 0.4);
-    EXPECT_EQ(used.bounds(p).lower, fresh.bounds(p).lower);
+    EXPECT_EQ(of_cell(used, p).lower, of_cell(fresh, p).lower);
   }
   Clearance copy = used.with_cells();
   for (const double reach : {0.4, 2.0}) {
     for (int i = 0; i < 200; ++i) {
       const Vector3d p = random_point(rng, reach);
-      EXPECT_EQ(copy.bounds(p).upper, used.bounds(p).upper);
+      EXPECT_EQ(of_cell(copy, p).upper, of_cell(used, p).upper);
       EXPECT_EQ(copy.bounds(p, 0.1).lower, used.bounds(p, 0.1).lower);
     }
   }
@@ -192,11 +197,11 @@ TEST(Clearance, ForgetsWhenTheGridGrowsTooLarge) {
   Clearance clearance(prism(8, 0.1, 0.2), 0.001);
   for (int i = 0; i < 40000; ++i) {
     const Vector3d p(0.008 * (i % 200), 0.008 * (i / 200), 0.3);
-    const auto bounds = clearance.bounds(p);
+    const auto bounds = of_cell(clearance, p);
     ASSERT_LE(bounds.lower, bounds.upper);
   }
   const Vector3d p(0.1234, 0.2, 0.3);
-  EXPECT_LE(clearance.bounds(p).lower, clearance.distance(p));
+  EXPECT_LE(of_cell(clearance, p).lower, clearance.distance(p));
 }
 
 TEST(Clearance, CopiesServeThreads) {
@@ -209,7 +214,7 @@ TEST(Clearance, CopiesServeThreads) {
   std::vector<std::thread> threads;
   for (auto& mine : lower) {
     threads.emplace_back([&mine, &points, copy = original]() mutable {
-      for (const Vector3d& p : points) mine.push_back(copy.bounds(p).lower);
+      for (const Vector3d& p : points) mine.push_back(of_cell(copy, p).lower);
     });
   }
   for (auto& thread : threads) thread.join();
@@ -225,7 +230,7 @@ TEST(Clearance, RefusesNonsense) {
   Clearance clearance(mesh);
   const Vector3d nowhere(0, std::nan(""), 0);
   expect_refused([&] { clearance.distance(nowhere); }, "point must be finite");
-  expect_refused([&] { clearance.bounds(nowhere); }, "point must be finite");
+  expect_refused([&] { clearance.bounds(nowhere, 0.1); }, "point must be finite");
 }
 
 }  // namespace

@@ -42,8 +42,6 @@ class GRASPLESS_API Clearance {
   struct Bounds {
     double lower, upper;
   };
-  /// Returns bounds at most a cell's diagonal apart.
-  Bounds bounds(const Eigen::Vector3d& point);
   /// Returns bounds that tell on which side of `threshold` [m] the distance lies, and if it is
   /// larger, by how much to a factor of eight. Returns the exact distance if no cell can tell.
   Bounds bounds(const Eigen::Vector3d& point, double threshold);

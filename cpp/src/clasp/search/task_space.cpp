@@ -94,11 +94,6 @@ Vector2d TaskSpace::alignment() const {
   return {std::abs(kinematics_.sideways_W().dot(tangent)), forward};  // (3)
 }
 
-bool TaskSpace::is_linked() const {
-  return std::any_of(curves_.begin(), curves_.end(),
-                     [](const Curve& curve) { return curve.linking_number != 0; });
-}
-
 void TaskSpace::position_jacobian(Matrix& J) const {
   J.setZero(3, q_.size());
   for (int k = 0; k < 3; ++k) {

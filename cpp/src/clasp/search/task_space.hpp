@@ -40,7 +40,6 @@ class TaskSpace {
   double linking() const { return x_[3]; }  ///< Pi_vlink, eq. (4): mean of min(1, |VLk|)
   /// min(1, |VLk|) of every curve, eq. (2).
   const Eigen::VectorXd& linking_of_curves() const { return linking_; }
-  bool is_linked() const;  ///< true if any curve is linked
   int nearest_target() const { return nearest_; }
   double target_distance() const {
     return distance_;
