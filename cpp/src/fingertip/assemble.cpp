@@ -106,16 +106,10 @@ class Assembler {
     *moved = *std::find_if(next.begin(), next.end(), is_new);
   }
 
-  /// The motion that goes on after stage i begins; where none does, the one before.
-  Vector6d twist_at(const std::vector<Stage>& stages, std::size_t i) const {
-    for (std::size_t k = i; k < stages.size(); ++k) {
-      if (stages[k].X_WO.size() > 1) return screw_between(stages[k].X_WO[0], stages[k].X_WO[1]);
-    }
-    for (std::size_t k = i; k-- > 0;) {
-      const auto& X_WO = stages[k].X_WO;
-      if (X_WO.size() > 1) return screw_between(X_WO[X_WO.size() - 2], X_WO.back());
-    }
-    return Vector6d::Zero();
+  /// The motion that goes on after stage i begins. No route ends with a regrasp.
+  static Vector6d twist_at(const std::vector<Stage>& stages, std::size_t i) {
+    while (stages.at(i).X_WO.size() < 2) ++i;
+    return screw_between(stages[i].X_WO[0], stages[i].X_WO[1]);
   }
 
   /// One sample without its forces, with finger `lifted` off the object (-1: none).
