@@ -52,7 +52,7 @@ TEST(ReadPly, ReadsPlyOfEveryFormat) {
     put(static_cast<unsigned short>(1));
     put(static_cast<signed char>(-7));
     put(3U);
-    for (const char corner : {0, 1, 2}) put(corner);
+    for (const char corner : {'\0', '\1', '\2'}) put(corner);
     return body;
   };
   const std::vector<std::string> texts = {
