@@ -63,7 +63,9 @@ TEST(Crew, AnExceptionEndsTheJobAlone) {
       while (i > 10 && std::this_thread::get_id() != own) poll();  // ended by the exception, too
     };
     EXPECT_THROW(crew.share(100000, fail_at_ten), std::runtime_error);
-    if (threads == 1) EXPECT_EQ(count, 10);
+    if (threads == 1) {
+      EXPECT_EQ(count, 10);
+    }
     EXPECT_LT(count, 50000);  // far from all
     count = 0;
     crew.share(7, [&](std::size_t) { ++count; });
