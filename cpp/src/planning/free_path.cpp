@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include <ompl/base/goals/GoalState.h>
 #include <ompl/base/goals/GoalStates.h>
 
 #include "graspless/planning/forest_cbirrt.hpp"
 #include "graspless/planning/vector_states.hpp"
+
+#include "planning/grow_path.hpp"
 
 namespace graspless::planning {
 
@@ -23,22 +24,22 @@ constexpr double kRange =
     0.6;  // longest extension [rad]; the motion check covers the points between its ends
 constexpr int kShortcuts = 40;
 
-/// Joint ranges to sample: those of joints that can turn further than once are cut to half a turn
-/// beyond both ends.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> sampled_box(const FreeSpace& space,
-                                                        const Eigen::VectorXd& from,
-                                                        const Eigen::VectorXd& to) {
-  Eigen::VectorXd lower = space.lower, upper = space.upper;
+/// Cuts the ranges of joints that can turn further than once to half a turn beyond both ends.
+FreeSpace without_turns(FreeSpace space, const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   for (Eigen::Index i = 0; i < from.size(); ++i) {
-    if (upper[i] - lower[i] <= 2 * M_PI) continue;
-    lower[i] = std::max(lower[i], std::min(from[i], to[i]) - M_PI);
-    upper[i] = std::min(upper[i], std::max(from[i], to[i]) + M_PI);
+    double &lower = space.lower[i], &upper = space.upper[i];
+    if (upper - lower <= 2 * M_PI) continue;
+    lower = std::max(lower, std::min(from[i], to[i]) - M_PI);
+    upper = std::min(upper, std::max(from[i], to[i]) + M_PI);
   }
-  return {lower, upper};
+  return space;
 }
 
-std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
-                         const Eigen::VectorXd& to, int iterations, std::mt19937_64& rng) {
+}  // namespace
+
+std::optional<Path> grow_path(const FreeSpace& space, const Eigen::VectorXd& from,
+                              const Eigen::VectorXd& to, double range, const Projection& project,
+                              int iterations, std::mt19937_64& rng) {
   const Eigen::Index n = from.size();
   const auto box = make_box(space.lower, space.upper);
   const auto si = std::make_shared<ob::SpaceInformation>(box);
@@ -55,11 +56,18 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
 
   ForestCBiRRT planner(si);
   planner.setProblemDefinition(problem);
-  planner.set_range(kRange);
+  planner.set_range(range);
   planner.set_seed(rng());
-  const auto sampled = sampled_box(space, from, to);
   planner.set_random_config(
-      [&](std::mt19937_64& g, ob::State* s) { draw_uniform(g, sampled.first, sampled.second, s); });
+      [&](std::mt19937_64& g, ob::State* s) { draw_uniform(g, space.lower, space.upper, s); });
+  if (project) {
+    planner.set_projector([&](ob::State* s) {
+      Eigen::VectorXd q = vector(s, n);
+      if (!project(q)) return false;
+      vector(s, n) = q;
+      return true;
+    });
+  }
   planner.set_motion_check([&](const ob::State*, const ob::State* a, const ob::State* b) {
     return space.is_motion_free(vector(a, n), vector(b, n));
   });
@@ -71,15 +79,14 @@ std::optional<Path> grow(const FreeSpace& space, const Eigen::VectorXd& from,
   return to_path(problem->getSolutionPath(), n);
 }
 
-}  // namespace
-
 std::optional<Path> find_free_path(const FreeSpace& space, const Eigen::VectorXd& from,
                                    const Eigen::VectorXd& to, int iterations,
                                    std::mt19937_64& rng) {
   if (from.size() != to.size()) throw std::invalid_argument("from and to must have one size");
   if (space.is_motion_free(from, to)) return Path{from, to};
   if (iterations <= 0 || !space.is_free(from) || !space.is_free(to)) return std::nullopt;
-  const auto path = grow(space, from, to, iterations, rng);
+  const auto path =
+      grow_path(without_turns(space, from, to), from, to, kRange, {}, iterations, rng);
   if (!path) return std::nullopt;
   const Connect straight = [&](const Eigen::VectorXd& a,
                                const Eigen::VectorXd& b) -> std::optional<Path> {

@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Free motions by the planners' common search; motions that hold fingers still by CBiRRT over the
 // positions of the held fingertips.
-#include <ompl/base/goals/GoalState.h>
-
-#include "graspless/planning/forest_cbirrt.hpp"
-#include "graspless/planning/free_path.hpp"
-#include "graspless/planning/vector_states.hpp"
-
+#include "planning/grow_path.hpp"
 #include "planning/joints.hpp"
 #include "realize/track.hpp"
 
 namespace graspless::realize {
 namespace {
 
-namespace ob = ompl::base;
 using Configurations = planning::Path;
 using planning::Joints;  // those that move fingertips
 
@@ -23,22 +17,22 @@ constexpr int kProjections = 12;
 constexpr int kShortcuts = 30;
 constexpr int kDeepest = 12;  // halvings of a motion between two configurations
 
+/// The joints' ranges, without a test of motions. It keeps references.
+planning::FreeSpace space_of(Hand& hand, const Joints& joints, planning::Clock& clock) {
+  return {joints.part(hand.ik.robot().lower()), joints.part(hand.ik.robot().upper()),
+          [&](const Eigen::VectorXd& part) { return hand.scene.is_free(joints.full(part)); },
+          nullptr, [&] { return clock.is_out(); }};
+}
+
 std::optional<Configurations> free_path(Hand& hand, const Eigen::VectorXd& from,
                                         const Eigen::VectorXd& to, int iterations,
                                         planning::Clock& clock, std::mt19937_64& rng) {
   const Joints joints{hand.ik.joints(), from};
-  const robot::Robot& robot = hand.ik.robot();
-  planning::FreeSpace space;
-  space.lower = joints.part(robot.lower());
-  space.upper = joints.part(robot.upper());
-  space.is_free = [&](const Eigen::VectorXd& part) {
-    return hand.scene.is_free(joints.full(part));
-  };
+  planning::FreeSpace space = space_of(hand, joints, clock);
   space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return hand.scene.is_motion_free(joints.full(a), joints.full(b), hand.options.max_jump,
                                      hand.options.resolution);
   };
-  space.is_out = [&] { return clock.is_out(); };
   const auto path =
       planning::find_free_path(space, joints.part(from), joints.part(to), iterations, rng);
   if (!path) return std::nullopt;
@@ -100,43 +94,20 @@ class HeldSpace {
 std::optional<Configurations> HeldSpace::grow(const Eigen::VectorXd& from,
                                               const Eigen::VectorXd& to, int iterations,
                                               planning::Clock& clock, std::mt19937_64& rng) {
-  const Eigen::VectorXd lower = joints_.part(hand_.ik.robot().lower());
-  const Eigen::VectorXd upper = joints_.part(hand_.ik.robot().upper());
-  const Eigen::Index n = lower.size();
-  const auto box = planning::make_box(lower, upper);
-  const auto full = [&](const ob::State* state) {
-    return joints_.full(planning::vector(state, n));
+  planning::FreeSpace space = space_of(hand_, joints_, clock);
+  space.is_motion_free = [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return rows(joints_.full(a), joints_.full(b)).has_value();
   };
-  const auto si = std::make_shared<ob::SpaceInformation>(box);
-  si->setStateValidityChecker([&](const ob::State* s) { return hand_.scene.is_free(full(s)); });
-  si->setup();
-  const auto problem = std::make_shared<ob::ProblemDefinition>(si);
-  ob::ScopedState<ob::RealVectorStateSpace> start(box), goal(box);
-  planning::vector(start.get(), n) = joints_.part(from);
-  planning::vector(goal.get(), n) = joints_.part(to);
-  problem->setStartAndGoalStates(start, goal);
-  planning::ForestCBiRRT planner(si);
-  planner.setProblemDefinition(problem);
-  planner.set_range(kRange);
-  planner.set_seed(rng());
-  planner.set_random_config(
-      [&](std::mt19937_64& g, ob::State* s) { planning::draw_uniform(g, lower, upper, s); });
-  planner.set_projector([&](ob::State* s) {
-    Eigen::VectorXd q = full(s);
+  const auto project_part = [&](Eigen::VectorXd& part) {
+    Eigen::VectorXd q = joints_.full(part);
     if (!project(q)) return false;
-    planning::vector(s, n) = joints_.part(q);
+    part = joints_.part(q);
     return true;
-  });
-  planner.set_motion_check([&](const ob::State*, const ob::State* a, const ob::State* b) {
-    return rows(full(a), full(b)).has_value();
-  });
-  int left = iterations;
-  const ob::PlannerTerminationCondition is_over([&] { return left-- <= 0 || clock.is_out(); });
-  if (!planner.solve(is_over)) return std::nullopt;
-  Configurations path;
-  for (const Eigen::VectorXd& part : planning::to_path(problem->getSolutionPath(), n))
-    path.push_back(joints_.full(part));
-  return path;
+  };
+  const auto path = planning::grow_path(space, joints_.part(from), joints_.part(to), kRange,
+                                        project_part, iterations, rng);
+  if (!path) return std::nullopt;
+  return joints_.full(*path);
 }
 
 std::optional<Configurations> held_path(Hand& hand, const TipTargets& held,
