@@ -21,11 +21,11 @@ std::vector<std::string> names(const Realization& result) {
 
 double longest_step(const Realization& result) {
   double longest = 0;
-  VectorXd before = result.segments.front().positions.front();
+  const VectorXd* before = &result.segments.front().positions.front();
   for (const JointSegment& segment : result.segments) {
     for (const VectorXd& q : segment.positions) {
-      longest = std::max(longest, (q - before).lpNorm<Eigen::Infinity>());
-      before = q;
+      longest = std::max(longest, (q - *before).lpNorm<Eigen::Infinity>());
+      before = &q;
     }
   }
   return longest;
