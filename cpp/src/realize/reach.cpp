@@ -104,8 +104,9 @@ std::optional<Configurations> HeldSpace::grow(const Eigen::VectorXd& from,
     part = joints_.part(q);
     return true;
   };
-  const auto path = planning::grow_path(space, joints_.part(from), joints_.part(to), kRange,
-                                        project_part, iterations, rng);
+  const Eigen::VectorXd start = joints_.part(from), end = joints_.part(to);
+  if (!space.is_free(start) || !space.is_free(end)) return std::nullopt;
+  const auto path = planning::grow_path(space, start, end, kRange, project_part, iterations, rng);
   if (!path) return std::nullopt;
   return joints_.full(*path);
 }
