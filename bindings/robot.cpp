@@ -290,7 +290,7 @@ void bind_ik(py::module_& m) {
       "other chain.")
       .def(py::init([](const Robot& robot, const Key& frame, const Group& group, double tolerance,
                        double lean, int max_iterations, int restarts, int free_samples) {
-             const Ik::Options options{tolerance, lean, max_iterations, restarts, free_samples};
+             const Ik::Options options{tolerance, max_iterations, restarts, free_samples, lean};
              return RobotIk{
                  robot, Ik(robot, frame_index(robot, frame), joint_indices(robot, group), options)};
            }),

@@ -87,6 +87,7 @@ def test_mounted_elsewhere(wam, q_home):
         (lambda robot: robot.pose("nothing", np.zeros(8)), "nothing"),
         (lambda robot: Ik(robot, "grasp", [0, 99]), "group must.*not 99"),
         (lambda robot: Ik(robot, "grasp", "legs"), "legs"),
+        (lambda robot: Ik(robot, "grasp", "arm", lean=0.2), "lean must lie in .0, 0.1., not 0.2"),
         (lambda robot: Robot.from_urdf("<robot"), "XML|URDF|parse"),
         (lambda robot: Robot.from_urdf_file("nowhere.urdf"), "nowhere.urdf"),
         (lambda robot: Robot.from_urdf("<robot/>", X_WB=np.zeros((4, 4))), "X_WB is not a rigid"),

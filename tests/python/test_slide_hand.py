@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arms and hands that no slide is possible with are refused, with the lengths in the way."""
 
+import copy
+import io
 import json
 import re
 import shutil
 
+import numpy as np
 import pytest
 import trimesh
 from trimesh.creation import box
@@ -86,16 +89,50 @@ def test_arm_of_five_joints_leans_with_the_table(five_joints, tilt, axis):
     assert graspless.check(done, certify=True) == []
 
 
-def test_arm_of_five_joints_puts_down(five_joints):
+@pytest.mark.parametrize("tilt", [0.0, 5e-4])
+def test_arm_of_five_joints_puts_down(five_joints, tilt):
     box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06, "mass": 0.05}
+    box["pose"] = {"x": -0.03, "y": 0.05, "yaw": 0.3}
+    support = {"rectangle": {"size": [0.4, 0.5]}}
+    support["pose"] = {"position": [0.45, 0, 0], "rpy": [tilt, 0, 0]}
     lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.05}}
-    pose = {"position": [0.45, -0.1, 0], "rpy": [0, 0, 1.0]}
+    pose = {"position": [0.45, -0.1, -0.1 * tilt], "rpy": [tilt, 0, 1.0]}
     place = {"name": "place", "kind": "carry", "place": {"poses": [pose], "on": "support"}}
     stages = [{"name": "pinch", "kind": "pinch"}, lift, place]
-    task = {"kind": "chain", "robot": five_joints, "object": box, "support": TASK["support"]}
+    task = {"kind": "chain", "robot": five_joints, "object": box, "support": support}
     done = graspless.plan(task | {"stages": stages})
     assert done, done.reason
-    assert graspless.check(done) == []
+    assert graspless.check(done, certify=True) == []
+    document = json.loads(done.to_json())
+    for stage in (document["task"]["stages"][2], document["stages"][2]["task"]):
+        stage["place"]["poses"][0]["position"][1] += 1e-3
+    faults = graspless.check(graspless.load_plan(io.StringIO(json.dumps(document))))
+    assert any("the object is not at its place" in fault for fault in faults), faults
+
+
+def test_arm_of_five_joints_takes_any_angle_tolerance(five_joints):
+    box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06, "mass": 0.05}
+    lift = {"name": "lift", "kind": "carry", "line": {"direction": [0, 0, 1], "distance": 0.05}}
+    lift["options"] = {"angle_tolerance": 0.5}
+    task = {"kind": "chain", "robot": five_joints, "object": box, "support": TASK["support"]}
+    done = graspless.plan(task | {"stages": [{"name": "pinch", "kind": "pinch"}, lift]})
+    assert done, done.reason
+
+
+def test_a_hand_that_turns_from_its_contacts_is_a_fault(five_joints):
+    box = TASK["object"] | {"rectangle": {"size": [0.1, 0.03]}, "thickness": 0.06}
+    support = TASK["support"]
+    pinched = graspless.plan(
+        {"kind": "pinch", "robot": five_joints, "object": box, "support": support}
+    )
+    assert graspless.check(pinched) == []
+    for turn, is_fault in ((0.008, False), (0.02, True)):
+        a, b = np.asarray(pinched.contacts_O)
+        aside = turn / 2 * np.cross([0.0, 0.0, 1.0], b - a)
+        turned = copy.copy(pinched)
+        turned.contacts_O = np.stack([a - aside, b + aside])
+        told = [f for f in graspless.check(turned) if "do not close along the line" in f]
+        assert bool(told) == is_fault
 
 
 def test_what_is_flat_or_far_is_a_result_of_a_pinch(five_joints):

@@ -264,7 +264,12 @@ def test_an_obstacle_before_the_object_lets_it_through():
     camera = raster.Camera(np.array([6.0, 0.0, 0.1]), np.zeros(3), angle=0.5)
     red, blue = cube((1.0, 0.0, 0.0)), cube((0.0, 0.0, 1.0))
     alone = raster.render([(red, np.eye(4))], camera, 120, 90)
-    for x, y, hides in ((2.0, 0.0, True), (2.0, 1.2, False), (-2.0, 0.0, False)):
+    for x, y, hides in (
+        (2.0, 0.0, True),
+        (2.0, 1.2, False),
+        (-2.0, 0.0, False),
+        (8.0, 0.0, False),  # behind the viewer
+    ):
         beside, placed = [(blue, frames.translation([x, y, 0.0]))], [(red, np.eye(4))]
         picture = raster.render_past(beside, placed, np.zeros(3), camera, 120, 90)
         whole = raster.render([*placed, *beside], camera, 120, 90)

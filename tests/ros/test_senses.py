@@ -324,7 +324,8 @@ def test_puts_an_object_down_beside_what_the_camera_does_not_see(camera, image):
 @pytest.mark.parametrize(
     ("given", "reason"),
     [
-        ({"place": "{pose: [0.6}"}, "goal:2: not valid YAML"),
+        ({"place": "{pose: [0.6}"}, "place: not valid YAML"),
+        ({"place": "null"}, "place: is empty"),
         ({"place": "{pose: {x: 0.6}}"}, "place: pose.y: missing"),
         ({"obstacles": "{name: wall}"}, "obstacles"),
         ({"obstacles": "[{name: wall, box: [1, 1]}]"}, "obstacles[0].box"),

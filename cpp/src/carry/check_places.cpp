@@ -58,7 +58,7 @@ class PlaceExamination {
       if (part.name == "transfer") doubts = prove_level(world, part);
       if (part.name == "lower") doubts = way_down().prove(world, part, options_);
       if (part.name == "retreat") world.let_go();
-      auto more = is_held(part) ? world.prove_free(part) : world.prove_free(part, place());
+      auto more = is_held(part) ? world.prove_free(part) : world.prove_free(part, put());
       for (auto& doubt : more) doubts.push_back(std::move(doubt));
       if (hanging && is_held(part)) {
         if (part.name == "lower") hanging->allow_sunk(places_, options_.height);
@@ -75,6 +75,8 @@ class PlaceExamination {
                          [&](const Segment& other) { return other.name == name; });
   }
   const Isometry3d& place() const { return places_.X_WO[plan_.place]; }
+  /// Where the object was lowered to: its place, for an arm of six or more joints.
+  const Isometry3d& put() const { return segment("lower").object_poses.back(); }
   static bool is_held(const Segment& part) {
     return part.name == "transfer" || part.name == "lower";
   }
@@ -119,10 +121,9 @@ class PlaceExamination {
 
   void check_object_poses() {
     const Segment& lower = segment("lower");
-    const Isometry3d put = lower.object_poses.back();
     for (const Segment& part : plan_.segments) {
       for (std::size_t row = 0; row < part.object_poses.size(); ++row) {
-        const Isometry3d expected = is_held(part) ? object_at(part.positions[row]) : put;
+        const Isometry3d expected = is_held(part) ? object_at(part.positions[row]) : put();
         if (!scene::is_same(part.object_poses[row], expected, kSame))
           fault(part, row,
                 is_held(part) ? "the object moves relative to the hand"
@@ -133,8 +134,8 @@ class PlaceExamination {
     const bool may_lean = problem_.robot.group(problem_.arm).size() < 6;
     const double off = may_lean ? options_.tolerance : kSame,
                  lean = may_lean ? options_.angle_tolerance : kSame;
-    if ((put.translation() - place().translation()).norm() > off ||
-        angle_between(put.linear(), place().linear()) > lean)
+    if ((put().translation() - place().translation()).norm() > off ||
+        angle_between(put().linear(), place().linear()) > lean)
       fault(lower, lower.positions.size() - 1, "the object is not at its place");
   }
 
@@ -195,7 +196,7 @@ class PlaceExamination {
     const StraightWay down = way_down();
     scene::replay_rows(problem_.robot, part.positions, [&](std::size_t row, const VectorXd& q) {
       if (row == faulty_row) return;
-      const Isometry3d X_WO = is_held(part) ? object_at(q) : place();
+      const Isometry3d X_WO = is_held(part) ? object_at(q) : put();
       auto touching = world.touching(q, X_WO);
       if (touching.empty() && hanging) touching = hanging->touching(q, hanging->object_at(q));
       std::string wrong = touching.empty() ? "" : "collision " + touching.front();

@@ -96,7 +96,7 @@ std::vector<VectorXd> PlaceSearch::configurations(const Isometry3d& X_WO) {
   ++statistics_.ik_calls;
   std::vector<VectorXd> found;
   const auto all = ik_.solve_all(X_WO * X_FO_.inverse(), problem_.q_start, rng_);
-  if (all.empty()) refuse("out of the arm's reach");
+  if (all.empty()) refuse(may_lean(problem_) ? kNotTurned : "out of the arm's reach");
   for (const VectorXd& q : all) {
     poll();
     if (found.size() == kConfigurations) break;

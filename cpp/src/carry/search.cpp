@@ -42,9 +42,9 @@ std::vector<int> links_with(const robot::Robot& robot, int frame, const std::vec
 robot::Ik make_ik(const Problem& problem, const Options& options, bool whole_turns) {
   const std::vector<int>& joints = problem.robot.group(problem.arm);
   robot::Ik::Options chosen;
-  if (joints.size() < 6) {
+  if (may_lean(problem)) {
     chosen.tolerance = options.tolerance / 10;
-    chosen.lean = options.angle_tolerance / 2;
+    chosen.lean = std::min(options.angle_tolerance / 2, robot::Ik::kMostLean);
   }
   chosen.whole_turns = whole_turns;
   return robot::Ik(problem.robot, problem.robot.frame(problem.frame), joints, chosen);
@@ -153,7 +153,7 @@ std::vector<Search::Cell> Search::neighbours(const Cell& cell) const {
 std::optional<VectorXd> Search::step(const Node& from, const Cell& to) {
   const std::optional<VectorXd> q = solve(to, from.q);
   if (!q) {
-    refuse("out of the arm's reach or limits");
+    refuse(may_lean(problem_) ? kNotTurned : "out of the arm's reach or limits");
     return std::nullopt;
   }
   if ((*q - from.q).lpNorm<Eigen::Infinity>() > kJump) {

@@ -16,8 +16,16 @@
 
 namespace graspless::carry {
 
+/// True for an arm of fewer than six joints.
+inline bool may_lean(const Problem& problem) { return problem.robot.group(problem.arm).size() < 6; }
+
+/// What such an arm could not do.
+constexpr const char* kNotTurned =
+    "out of the arm's reach or limits, or its joints cannot turn the object so within "
+    "options.angle_tolerance";
+
 /// Inverse kinematics of the frame that holds the object. An arm of fewer than six joints may lean
-/// by half of what a straight path allows: URDFs round right angles, and tables lean.
+/// by half of what a straight path allows: URDFs round right angles, and tables are not level.
 robot::Ik make_ik(const Problem& problem, const Options& options, bool whole_turns);
 
 /// Depth-first search over a grid of three coordinates: distance along the path, value of the arm's

@@ -180,6 +180,9 @@ class Examination {
         fault(grasp, i, "the hand leaves its straight line");
       if (Eigen::AngleAxisd(X_HH.linear()).angle() > kTurn) fault(grasp, i, "the hand turns");
     }
+    const double length = -(X_HW * hand_at(grasp.positions.front())).translation().z();
+    if (length < options_.approach / 2 - kSideways)
+      fault(grasp, 0, "the hand comes straight by less than half of options.approach");
     if (!scene::is_same(hand_at(grasp.positions.back()), plan_.X_WH_grasp, kSame))
       fault("plan", "X_WH_grasp is not where the hand ends");
   }

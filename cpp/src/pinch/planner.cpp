@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "graspless/pinch/pinch.hpp"
 
@@ -26,7 +28,7 @@ constexpr double kPast = 0.002;        // by which faces that turn may pass thos
 constexpr std::size_t kSolutions = 4;  // of inverse kinematics, for each hand pose
 constexpr std::size_t kSearched = 4;   // poses to which a tree is grown
 constexpr int kIterations = 400;       // of each
-constexpr const char *kReach = "reach", *kNotFollowed = "straight approach";
+constexpr const char* kReach = "reach";
 
 /// An arm with fewer than six joints reaches a pose only if its axes are exactly parallel or
 /// square. URDFs round them, and tables lean: so may the hand.
@@ -85,15 +87,16 @@ class Search {
   }
 
  private:
-  /// Tries the grasps; where the arm can follow no whole approach, half of it.
+  /// Tries the grasps; then half of the approach for those to which the arm could not follow all.
   void search(const std::vector<Grasp>& grasps, Plan& plan) {
     plan.reason = beyond_reach(grasps);
     plan.status = Status::not_reached;
     if (!plan.reason.empty()) return;
-    const std::size_t count = std::min(grasps.size(), static_cast<std::size_t>(options_.grasps));
-    if (search(grasps, count, options_.approach, plan)) return;
-    const bool is_long = statistics_.refusals.count(kNotFollowed) > 0;
-    if (is_long && search(grasps, count, options_.approach / 2, plan)) return;
+    std::vector<std::size_t> all(
+        std::min(grasps.size(), static_cast<std::size_t>(options_.grasps)));
+    std::iota(all.begin(), all.end(), 0);
+    if (search(grasps, all, options_.approach, plan)) return;
+    if (search(grasps, std::exchange(not_followed_, {}), options_.approach / 2, plan)) return;
     fail(plan);
   }
 
@@ -113,11 +116,13 @@ class Search {
            text_of("', and its nearest pose is %.2f m from it", nearest);
   }
 
-  bool search(const std::vector<Grasp>& grasps, std::size_t count, double approach, Plan& plan) {
+  bool search(const std::vector<Grasp>& grasps, const std::vector<std::size_t>& tried,
+              double approach, Plan& plan) {
     std::vector<Pinch> unreached;  // no straight motion leads there
-    for (std::size_t i = 0; i < count && unreached.size() < kSearched; ++i) {
-      if (!clock_.spend()) break;
+    for (const std::size_t i : tried) {
+      if (unreached.size() == kSearched || !clock_.spend()) break;
       tried_ = std::max(tried_, i + 1);
+      is_too_long_ = false;
       for (const Eigen::VectorXd& q : configurations(grasps[i])) {
         bool is_uneven = false;
         std::optional<Pinch> pinch = add_motion(grasps[i], q, approach, is_uneven);
@@ -127,6 +132,7 @@ class Search {
         unreached.push_back(std::move(*pinch));
         break;
       }
+      if (is_too_long_) not_followed_.push_back(i);
     }
     for (const Pinch& pinch : unreached) {
       if (clock_.is_out()) break;
@@ -189,7 +195,8 @@ class Search {
     }
     const auto out = hand_.track(ik_, arm_.part(q), outwards);
     if (!out) {
-      refuse(kNotFollowed);
+      refuse("straight approach");
+      is_too_long_ = true;
       return std::nullopt;
     }
     return Pinch{grasp, Path(out->rbegin(), out->rend()), std::move(closing.rows)};
@@ -236,12 +243,15 @@ class Search {
         {name, rows, std::vector<Eigen::Isometry3d>(rows.size(), problem_.X_WO_start)});
   }
 
-  /// Poses out of reach, such as those from a side, say the least.
+  /// Poses out of reach, such as those from a side, say less than the others.
   void fail(Plan& plan) {
     auto refusals = statistics_.refusals;
-    if (refusals.size() > 1) refusals.erase(kReach);
-    plan.reason = "none of " + std::to_string(tried_) + " hand poses works" +
-                  planning::obstruction(refusals, clock_.ran_out());
+    plan.reason = "none of " + std::to_string(tried_) + " hand poses works";
+    if (refusals.size() > 1 && refusals.count(kReach) > 0) {
+      plan.reason += ", " + std::to_string(refusals[kReach]) + " of them are out of reach";
+      refusals.erase(kReach);
+    }
+    plan.reason += planning::obstruction(refusals, clock_.ran_out());
     plan.status = clock_.was_interrupted() ? Status::interrupted : Status::not_reached;
   }
 
@@ -250,7 +260,9 @@ class Search {
   planning::Clock& clock_;
   std::mt19937_64 rng_;
   Statistics statistics_;
-  std::size_t tried_ = 0;  // hand poses
+  std::size_t tried_ = 0;                  // hand poses
+  bool is_too_long_ = false;               // the approach to the present one
+  std::vector<std::size_t> not_followed_;  // those to which the arm could not follow the approach
   Jaw jaw_;
   slide::Arm arm_;
   robot::Ik ik_;

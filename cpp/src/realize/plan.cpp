@@ -63,7 +63,7 @@ CarriedPlan refused(CarriedPlan best, int tried, const std::string& last) {
   best.plan.reason = best.realization.reason;
   if (tried > 1) {
     best.plan.reason += "; " + std::to_string(tried - 1) +
-                        " more with fingertips nearer together failed, too, the last: " + last;
+                        " more with fingertips nearer together failed too, the last: " + last;
   }
   return best;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -34,16 +33,20 @@ Eigen::Matrix<double, 6, 1> pose_error(const Eigen::Isometry3d& X_WA,
 
 bool DampedLeastSquares::solve(const Eigen::Isometry3d& X_WF, const Ik::Options& options, bool pull,
                                Eigen::VectorXd& q) {
-  double last_angle = std::numeric_limits<double>::infinity();
+  bool was_placed = false;
+  double last_angle = 0;
   for (int iteration = 0;; ++iteration) {
     robot_.forward_to(frame_, q, X_WL_);
     const Vector6d error = pose_error(X_WL_[frame_], X_WF);
     const double distance = error.head<3>().norm(), angle = error.tail<3>().norm();
-    const bool leans = angle <= options.lean && angle > kSettled * last_angle;
-    if (distance <= options.tolerance && (angle <= options.tolerance || leans)) return true;
+    const bool is_placed = distance <= options.tolerance;
+    const bool has_settled = was_placed && angle <= last_angle && angle > kSettled * last_angle;
+    if (is_placed && (angle <= options.tolerance || (angle <= options.lean && has_settled)))
+      return true;
     if (iteration == options.max_iterations || !error.allFinite()) return false;
-    const bool is_near = distance <= kPlaced && angle <= 2 * options.lean;
+    const bool is_near = options.lean > 0 && distance <= kPlaced && angle <= 2 * options.lean;
     step(error, is_near ? kTurnWeight : 1, pull, q);
+    was_placed = is_placed;
     last_angle = angle;
   }
 }

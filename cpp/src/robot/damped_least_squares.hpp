@@ -24,7 +24,7 @@ class DampedLeastSquares {
       : robot_(robot), frame_(frame), group_(group) {}
 
   /// Moves the group's joints in q until the frame is at X_WF within the tolerance of the options.
-  /// Where it may lean, and cannot turn further, the position counts more than the angle. With
+  /// Where it may lean, the position counts more than the angle near the pose. With
   /// `pull`, the null space of a redundant arm moves towards the middle of its limits. Returns
   /// false if it does not converge; q is then undefined.
   bool solve(const Eigen::Isometry3d& X_WF, const Ik::Options& options, bool pull,

@@ -80,7 +80,7 @@ void check_group(const Robot& robot, int frame, const std::vector<int>& group) {
 
 void check_options(const Ik::Options& options) {
   if (!(options.tolerance > 0)) throw std::invalid_argument("tolerance must be positive");
-  require(options.lean >= 0 && options.lean <= 0.1, "lean", options.lean, "must lie in [0, 0.1]");
+  require_within("lean", options.lean, 0, Ik::kMostLean);
   if (options.max_iterations < 1) throw std::invalid_argument("max_iterations must be positive");
   if (options.restarts < 0) throw std::invalid_argument("restarts must not be negative");
   require_within("free_samples", options.free_samples, 0, 10000);

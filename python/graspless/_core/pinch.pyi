@@ -39,7 +39,7 @@ class Options:
     @property
     def approach(self) -> float:
         """
-        Length of the straight motion of the open hand onto the object. Half of it, if the arm can follow no more.
+        Length of the straight motion of the open hand onto the object. Half of it, where the arm cannot follow all of it.
         
         Unit: m. Range: (0, 0.5]. Default: 0.08.
         """

@@ -92,8 +92,8 @@ def _arrays(depth: ArrayLike, K: Any, X_WC: ArrayLike) -> list[View]:
         raise ValueError(f"depth has values of type {images.dtype}; it must have numbers in metres")
     if images.ndim == 3 and images.shape[2] == 3 and K is None:
         raise ValueError(
-            f"depth has shape {images.shape}: of a cloud in rows and columns, "
-            "perception.view_of_organized makes a view"
+            f"depth has shape {images.shape}: for an organized cloud, use "
+            "perception.view_of_organized"
         )
     if images.ndim not in (2, 3):
         raise ValueError(f"depth has shape {images.shape}; it must have shape (H, W) or (N, H, W)")

@@ -9,6 +9,7 @@ the node with it.
 from __future__ import annotations
 
 import os
+import re
 import signal
 import textwrap
 import time
@@ -167,7 +168,14 @@ def _picked(job: PickJob, tell: Callable[[str], object]) -> Found:
 
 def _field(name: str, text: str) -> Any:
     """Returns a field of a task in YAML."""
-    return parse_yaml(f"{name}:\n{textwrap.indent(text, '  ')}", "goal").data[name]
+    try:
+        value = parse_yaml(f"{name}:\n{textwrap.indent(text, '  ')}", "goal").data[name]
+    except TaskError as error:
+        what = re.sub(r"^goal:\d+: | \(column \d+\)$", "", str(error))
+        raise TaskError(f"{name}: {what}") from None
+    if value is None:
+        raise TaskError(f"{name}: is empty")
+    return value
 
 
 def _view(job: PickJob) -> perception.View:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 SHADOW_SIZE = 700  # pixels along a side of the shadow map
 GLASS = 0.15  # opacity
+BEHIND = 1e-3  # what is nearer, or behind the eye, is drawn at this distance [m]
 BLOCK, CHUNK = 12, 1000  # side of small triangles [pixels], and how many are drawn at once
 
 
@@ -76,7 +77,7 @@ class Camera:
     def project(self, points: ArrayLike, width: int, height: int) -> Matrix:
         """Returns pixel x, pixel y and 1 / distance, [N, 3], of points in the world, [N, 3]."""
         seen = (np.asarray(points) - self.eye) @ self.axes().T
-        near = 1.0 / np.maximum(seen[:, 2], 1e-3)
+        near = 1.0 / np.maximum(seen[:, 2], BEHIND)
         focal = height / 2 / np.tan(self.angle / 2)
         x = width / 2 + focal * seen[:, 0] * near
         y = height / 2 - focal * seen[:, 1] * near
@@ -106,7 +107,8 @@ def render(
     screen = camera.project(scene["points"], w, h)
     faces = scene["faces"]
     toward = np.einsum("ij,ij->i", scene["normals"], camera.eye - scene["points"][faces[:, 0]])
-    _, face = _depth_buffer(screen, faces, np.flatnonzero(toward > 0), w, h)
+    is_ahead = (screen[faces, 2] < 1 / BEHIND).any(axis=1)
+    _, face = _depth_buffer(screen, faces, np.flatnonzero((toward > 0) & is_ahead), w, h)
     rgba = np.zeros((h, w, 4))
     ys, xs = np.nonzero(face >= 0)
     if len(xs):
@@ -165,7 +167,8 @@ def _hides(placed: tuple[Body, Matrix], p_W: Matrix, camera: Camera) -> bool:
     with np.errstate(divide="ignore", invalid="ignore"):  # triangles that are seen edge on
         weights = _weights(screen, point[:, 0], point[:, 1])
         near: Matrix = 1 / (weights / screen[:, :, 2]).sum(axis=1)
-    return bool(((weights >= 0).all(axis=1) & (near > point[:, 2])).any())
+    is_ahead = (screen[:, :, 2] < 1 / BEHIND).all(axis=1)
+    return bool((is_ahead & (weights >= 0).all(axis=1) & (near > point[:, 2])).any())
 
 
 def _gather(placed: Sequence[tuple[Body, Matrix]]) -> dict[str, Any]:

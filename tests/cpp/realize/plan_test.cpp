@@ -70,7 +70,7 @@ TEST(FingertipPlanCarried, ReasonsSayWhatToChange) {
   EXPECT_EQ(found.plan.status, Status::not_realized);
   EXPECT_CONTAINS(found.plan.reason, " mm: nearer to the robot");
   EXPECT_CONTAINS(found.plan.reason,
-                  "; 1 more with fingertips nearer together failed, too, the last: segment 0");
+                  "; 1 more with fingertips nearer together failed too, the last: segment 0");
 }
 
 TEST(FingertipPlanCarried, AHomeThatTouchesEndsTheSearch) {

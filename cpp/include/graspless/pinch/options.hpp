@@ -69,8 +69,8 @@ constexpr auto fields(const Options&) {
           "beside a wall. By default, and at most, as far as the hand opens.",
           Range::left_open(0, 1)},
       Field{"approach", &Options::approach, "m",
-            "Length of the straight motion of the open hand onto the object. Half of it, if the "
-            "arm can follow no more.",
+            "Length of the straight motion of the open hand onto the object. Half of it, where "
+            "the arm cannot follow all of it.",
             Range::left_open(0, 0.5)},
       Field{"grasps", &Options::grasps, "", "Largest number of hand poses that are tried.",
             Range::closed(1, 100000)},

@@ -32,14 +32,17 @@ class GRASPLESS_API Ik {
   Ik(const Ik&) = default;
   Ik& operator=(const Ik&) = default;
 
+  static constexpr double kMostLean = 0.1;  ///< [rad]
+
   struct Options {
     double tolerance = 1e-9;  ///< largest pose error of an answer [m, rad]
-    double lean = 0;          ///< angle error that is allowed where damped least squares cannot
-                              ///< turn the frame further, as with five joints; at most 0.1 [rad]
     int max_iterations = 60;  ///< iterations of damped least squares per attempt
     int restarts = 12;        ///< random restarts of damped least squares in solve_all()
     int free_samples = 16;    ///< values of the free joint that solve_all() tries in closed form,
                               ///< at most 10000
+    /// Angle error that is allowed where damped least squares cannot turn the frame further, as
+    /// with five joints; at most kMostLean [rad].
+    double lean = 0;
     bool whole_turns = true;  ///< return a solution's copies a whole turn of a joint away, too;
                               ///< otherwise of each solution the one nearest to the given q
   };

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .truth import Truth
 
 _STILL = 0.01  # of an object at rest: by so much it may move [m] or turn [rad] during the hold
+_STOPPED = 1e-6  # speed of joints [rad/s or m/s]
 _LOOK = 0.01  # between observations of the judge [s]
 _RECORD = 50.0  # moments a second
 _NEVER = -1.0  # a contact margin that disables contact [m]
@@ -77,7 +78,7 @@ class Execution:
         self._slid_after = ("lift", following) if yields else ("slide", "lift")
         self._slid: Any = None  # the pose of the object after the slide
         self._kick = Kick(variation)
-        self._presses = False
+        self._comes = self._presses = False
         self._lags = lags(plan.task.problem.robot)
         self._addresses = joint_addresses(model, plan.task.problem.robot)
         self._rows: list[tuple[float, Matrix, Matrix, str]] | None = None
@@ -138,20 +139,23 @@ class Execution:
 
     def _command(self, command: Command) -> None:
         self.data.ctrl[:] = command.position + self._lags * command.velocity
-        self._press(command.phase)
+        self._press(command)
 
-    def _press(self, phase: str) -> None:
+    def _press(self, command: Command) -> None:
         """Presses a finger that holds a force onto the object, from their contact to the lift.
 
-        The finger that has not touched by the end of the press moves down until it does. The spring
-        of the wrist holds it across the force, not along it.
+        Where it has not touched when the arm stops, it moves down until it does. The spring of the
+        wrist holds it across the force, not along it.
         """
+        phase, is_moving = command.phase, bool(np.any(np.abs(command.velocity) > _STOPPED))
         problem = self.plan.task.problem
         if problem.hand.finger_model == "rigid_guarded":
             data, up = self.data, np.array(problem.support.normal_W)
             force = 0.0
-            touches = phase == "press" and (self._presses or self.judge.tip_force(data) > 0)
-            self._presses = touches or phase == "slide"
+            self._comes = phase == "press" and (self._comes or is_moving)
+            has_come = self._comes and not is_moving
+            touches = self._presses or has_come or self.judge.tip_force(data) > 0
+            self._presses = phase == "slide" or (phase == "press" and touches)
             if self._presses:
                 joints = [data.joint(f"{WRIST}{axis}") for axis in "xyz"]
                 given_way = sum(float(joint.qpos[0]) * joint.xaxis for joint in joints) @ up
