@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from sphinx.application import Sphinx
 
-COLUMNS = "100"  # of the help
+COLUMNS = "86"  # of the help: no line is wider than the page
 NOT_INSTALLED = "bench"  # is part of a checkout only
 
 

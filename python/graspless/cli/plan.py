@@ -65,7 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--search",
         choices=["dijkstra", "paper", "fast"],
         help="search algorithm: the fast one (default), the one of the paper, or dijkstra "
-        "(fingertip tasks only); all other kinds have a single algorithm",
+        "(fingertip tasks only); kinds other than slide and fingertip have a single algorithm",
     )
     parser.add_argument(
         "--certify",
