@@ -147,15 +147,17 @@ class Execution:
         Where it has not touched when the arm stops, it moves down until it does. The spring of the
         wrist holds it across the force, not along it.
         """
-        phase, is_moving = command.phase, bool(np.any(np.abs(command.velocity) > _STOPPED))
         problem = self.plan.task.problem
         if problem.hand.finger_model == "rigid_guarded":
             data, up = self.data, np.array(problem.support.normal_W)
             force = 0.0
-            self._comes = phase == "press" and (self._comes or is_moving)
-            has_come = self._comes and not is_moving
-            touches = self._presses or has_come or self.judge.tip_force(data) > 0
-            self._presses = phase == "slide" or (phase == "press" and touches)
+            if command.phase == "press":
+                is_moving = bool(np.any(np.abs(command.velocity) > _STOPPED))
+                has_come = self._comes and not is_moving
+                self._comes = self._comes or is_moving
+                self._presses = self._presses or has_come or self.judge.tip_force(data) > 0
+            else:
+                self._comes, self._presses = False, command.phase == "slide"
             if self._presses:
                 joints = [data.joint(f"{WRIST}{axis}") for axis in "xyz"]
                 given_way = sum(float(joint.qpos[0]) * joint.xaxis for joint in joints) @ up
