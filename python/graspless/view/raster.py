@@ -161,8 +161,9 @@ def over(front: Matrix, back: Matrix, share: float) -> Matrix:
 
 def _hides(placed: tuple[Body, Matrix], p_W: Matrix, camera: Camera) -> bool:
     """Returns True if a body is between the viewer and a point [3]."""
-    scene = _gather([placed])
-    screen = camera.project(scene["points"], 1, 1)[scene["faces"]]
+    body, X_WB = placed
+    corners = [frames.transform(X_WB, part.vertices)[part.triangles] for part in body.parts]
+    screen = camera.project(np.concatenate(corners).reshape(-1, 3), 1, 1).reshape(-1, 3, 3)
     point = np.broadcast_to(camera.project([p_W], 1, 1), (len(screen), 3))
     with np.errstate(divide="ignore", invalid="ignore"):  # triangles that are seen edge on
         weights = _weights(screen, point[:, 0], point[:, 1])
