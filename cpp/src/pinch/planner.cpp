@@ -110,10 +110,7 @@ class Search {
     for (const Grasp& grasp : grasps)
       nearest = std::min(nearest, (grasp.X_WH.translation() - span->base_W).norm());
     if (nearest <= span->most) return "";
-    return text_of("the object is out of the arm's reach: the hand gets at most %.2f m from ",
-                   span->most) +
-           "'" + robot.frame_names()[span->base] +
-           text_of("', and its nearest pose is %.2f m from it", nearest);
+    return robot::beyond(robot, *span, "the hand", "its nearest pose", nearest);
   }
 
   bool search(const std::vector<Grasp>& grasps, const std::vector<std::size_t>& tried,

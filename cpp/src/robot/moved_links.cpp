@@ -3,6 +3,8 @@
 #include "robot/moved_links.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace graspless::robot {
 
@@ -24,6 +26,15 @@ std::optional<Span> span_of(const Robot& robot, const std::vector<int>& arm, int
   if (std::any_of(arm.begin(), arm.end(), slides)) return std::nullopt;
   const int base = moved_links(robot, arm, frame, q).front();
   return Span{base, robot.pose(base, q).translation(), robot.reach(frame)(arm).maxCoeff()};
+}
+
+std::string beyond(const Robot& robot, const Span& span, const std::string& frame,
+                   const std::string& what, double away) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: " << frame
+      << " gets at most " << span.most << " m from '" << robot.frame_names()[span.base] << "', and "
+      << what << " is " << away << " m from it";
+  return out.str();
 }
 
 }  // namespace graspless::robot

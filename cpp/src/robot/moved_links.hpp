@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,5 +27,9 @@ struct Span {
 /// Span of a frame on an arm at q. Nothing for an arm with sliding joints.
 std::optional<Span> span_of(const Robot& robot, const std::vector<int>& arm, int frame,
                             const Eigen::VectorXd& q);
+
+/// Says that `what`, `away` from the base [m], is farther than `frame` gets.
+std::string beyond(const Robot& robot, const Span& span, const std::string& frame,
+                   const std::string& what, double away);
 
 }  // namespace graspless::robot

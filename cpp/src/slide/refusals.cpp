@@ -175,11 +175,8 @@ bool can_reach(const Query& query, Plan& plan) {
                                     options.pitch, options.pitch);
   if (nearest <= span->most + kSlack + bent) return true;
   plan.status = Status::no_start_root;
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(2) << "the object is out of the arm's reach: the fingertip"
-      << " gets at most " << span->most << " m from '" << robot.frame_names()[span->base]
-      << "', and the nearest point of the object is " << nearest << " m from it";
-  plan.reason = out.str();
+  plan.reason =
+      robot::beyond(robot, *span, "the fingertip", "the nearest point of the object", nearest);
   return false;
 }
 
